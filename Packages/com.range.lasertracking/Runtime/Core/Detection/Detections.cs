@@ -1,0 +1,61 @@
+using System;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>
+    /// What a detector found in one frame. Fixed room, owned by the pipeline and used again for every frame; what does not fit is
+    /// counted, never lost silently.
+    /// </summary>
+    public sealed class Detections
+    {
+        private readonly Dot[] _dots;
+        private readonly RejectedCandidate[] _rejected;
+        private int _dotCount;
+        private int _rejectedCount;
+
+        public Detections(int dotCapacity = 64, int rejectedCapacity = 256)
+        {
+            _dots = new Dot[dotCapacity];
+            _rejected = new RejectedCandidate[rejectedCapacity];
+        }
+
+        public int FrameIndex { get; private set; }
+
+        /// <summary>Mid-exposure of the frame, microseconds on the device's clock.</summary>
+        public long TimeUs { get; private set; }
+
+        public ReadOnlySpan<Dot> Dots => new ReadOnlySpan<Dot>(_dots, 0, _dotCount);
+
+        public ReadOnlySpan<RejectedCandidate> Rejected => new ReadOnlySpan<RejectedCandidate>(_rejected, 0, _rejectedCount);
+
+        /// <summary>Dots and rejected candidates that found no room.</summary>
+        public int OverflowCount { get; private set; }
+
+        /// <summary>Share of the searched area, 0…1, in which a dot of ordinary strength could not be seen in this frame.</summary>
+        public double BlindShare { get; set; }
+
+        public void Begin(int frameIndex, long timeUs)
+        {
+            FrameIndex = frameIndex;
+            TimeUs = timeUs;
+            _dotCount = _rejectedCount = OverflowCount = 0;
+            BlindShare = 0;
+        }
+
+        public void Add(in Dot dot)
+        {
+            if (_dotCount < _dots.Length)
+                _dots[_dotCount++] = dot;
+            else
+                OverflowCount++;
+        }
+
+        public void Reject(in RejectedCandidate candidate)
+        {
+            if (_rejectedCount < _rejected.Length)
+                _rejected[_rejectedCount++] = candidate;
+            else
+                OverflowCount++;
+        }
+    }
+}

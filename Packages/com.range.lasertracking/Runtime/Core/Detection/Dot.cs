@@ -1,0 +1,35 @@
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>Light of a laser as one frame shows it. Pixel centres are integers, x right, y down.</summary>
+    public struct Dot
+    {
+        public Vector2D PositionPx;
+        public Covariance2D CovariancePx;
+
+        /// <summary>Brightest channel value in the dot, 0…255.</summary>
+        public int Peak;
+
+        /// <summary>Pixels at or above half the dot's height over its background.</summary>
+        public int AreaPx;
+
+        public LaserColor Color;
+
+        /// <summary>Probability that this is a laser, 0…1.</summary>
+        public double Confidence;
+
+        public ConfidenceFactors Factors;
+
+        /// <summary>From the end where the light began to where it ended within this frame; zero for a round dot.</summary>
+        public Vector2D StreakPx;
+
+        /// <summary>
+        /// This frame alone suffices to call it a laser. A dot that is not conclusive counts once it vanishes sharply or comes again.
+        /// </summary>
+        public bool IsConclusive;
+
+        /// <summary>The light was not there in the frame before.</summary>
+        public bool IsOnset;
+    }
+}
