@@ -1,0 +1,26 @@
+namespace LaserTracking.Geometry
+{
+    /// <summary>The geometry of one installation: the screen in camera 0's picture, and camera 1 where there is one. Immutable.</summary>
+    public sealed class RangeCalibration
+    {
+        /// <param name="screen">Image px of camera 0 to screen m.</param>
+        /// <param name="imageWidth">Width of the picture the screen was calibrated in.</param>
+        /// <param name="imageHeight">Its height.</param>
+        /// <param name="handCamera">Camera 1, or null.</param>
+        public RangeCalibration(ScreenGeometry screen, int imageWidth, int imageHeight, HandCamera? handCamera)
+        {
+            Screen = screen;
+            ImageWidth = imageWidth;
+            ImageHeight = imageHeight;
+            HandCamera = handCamera;
+        }
+
+        public ScreenGeometry Screen { get; }
+
+        public int ImageWidth { get; }
+
+        public int ImageHeight { get; }
+
+        public HandCamera? HandCamera { get; }
+    }
+}

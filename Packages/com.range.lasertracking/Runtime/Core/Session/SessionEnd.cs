@@ -1,0 +1,18 @@
+namespace LaserTracking.Session
+{
+    /// <summary>The "end" line of events.jsonl.</summary>
+    public struct SessionEnd
+    {
+        /// <summary>Frames of camera 0 that were processed.</summary>
+        public int Frames;
+
+        /// <summary>Frames without a usable picture.</summary>
+        public int Dropped;
+
+        /// <summary>From the first to the last frame on the recording's clock.</summary>
+        public double SecondsMedia;
+
+        /// <summary>By the host's clock; the only value that differs between two runs.</summary>
+        public double SecondsWall;
+    }
+}
