@@ -40,6 +40,34 @@ namespace LaserTracking.Geometry
             return new Rotation3D(unit.X * s, unit.Y * s, unit.Z * s, Math.Cos(angleRad / 2));
         }
 
+        /// <summary>From a 3×3 matrix, row by row. False unless it is orthonormal (within 1e-4) with determinant +1.</summary>
+        public static bool TryFromMatrix(ReadOnlySpan<double> m, out Rotation3D rotation)
+        {
+            rotation = Identity;
+            if (m.Length != 9)
+                return false;
+            var x = new Vector3D(m[0], m[3], m[6]);
+            var y = new Vector3D(m[1], m[4], m[7]);
+            var z = new Vector3D(m[2], m[5], m[8]);
+            const double tolerance = 1e-4;
+            bool isRotation = Math.Abs(x.Length - 1) < tolerance && Math.Abs(y.Length - 1) < tolerance &&
+                Math.Abs(Vector3D.Dot(x, y)) < tolerance && (Vector3D.Cross(x, y) - z).Length < tolerance;
+            if (!isRotation)
+                return false;
+
+            // Of the four quaternion components the largest is taken from the diagonal: dividing by it is safe (Shepperd 1978).
+            double trace = m[0] + m[4] + m[8];
+            if (trace >= m[0] && trace >= m[4] && trace >= m[8])
+                rotation = new Rotation3D(m[7] - m[5], m[2] - m[6], m[3] - m[1], 1 + trace);
+            else if (m[0] >= m[4] && m[0] >= m[8])
+                rotation = new Rotation3D(1 + m[0] - m[4] - m[8], m[1] + m[3], m[2] + m[6], m[7] - m[5]);
+            else if (m[4] >= m[8])
+                rotation = new Rotation3D(m[1] + m[3], 1 + m[4] - m[0] - m[8], m[5] + m[7], m[2] - m[6]);
+            else
+                rotation = new Rotation3D(m[2] + m[6], m[5] + m[7], 1 + m[8] - m[0] - m[4], m[3] - m[1]);
+            return true;
+        }
+
         /// <summary>a * b turns by b first, then by a.</summary>
         public static Rotation3D operator *(Rotation3D a, Rotation3D b) => new Rotation3D(
             a.W * b.X + a.X * b.W + a.Y * b.Z - a.Z * b.Y,

@@ -1,0 +1,19 @@
+using System.CommandLine;
+
+namespace LaserTracking.Host.Commands
+{
+    /// <summary>The list of all commands: the only place that knows them all.</summary>
+    internal static class RangeCommands
+    {
+        public static RootCommand Create()
+        {
+            var root = new RootCommand("Laser-shot training on a projected screen: from camera frames to scored hits.")
+            {
+                TestCommand.Create(),
+                DoctorCommand.Create(),
+            };
+            root.Add(HelpCommand.Create(root));
+            return root;
+        }
+    }
+}
