@@ -15,11 +15,11 @@ namespace LaserTracking.Capture
         /// <summary>Mid-exposure time of the frame's first picture on the device's clock, in microseconds.</summary>
         public long TimeUs { get; set; }
 
-        public Image Color { get; } = new Image();
+        public Image Color { get; private set; } = new Image();
 
-        public Image Depth { get; } = new Image();
+        public Image Depth { get; private set; } = new Image();
 
-        public Image Infrared { get; } = new Image();
+        public Image Infrared { get; private set; } = new Image();
 
         /// <summary>Empties the pictures and sets index and time, before a source fills it.</summary>
         public void Begin(int index, long timeUs)
@@ -29,6 +29,16 @@ namespace LaserTracking.Capture
             Color.Clear();
             Depth.Clear();
             Infrared.Clear();
+        }
+
+        /// <summary>Exchanges the whole content with another frame without copying a pixel.</summary>
+        public void SwapWith(Frame other)
+        {
+            (Index, other.Index) = (other.Index, Index);
+            (TimeUs, other.TimeUs) = (other.TimeUs, TimeUs);
+            (Color, other.Color) = (other.Color, Color);
+            (Depth, other.Depth) = (other.Depth, Depth);
+            (Infrared, other.Infrared) = (other.Infrared, Infrared);
         }
 
         public void Dispose()
