@@ -31,6 +31,9 @@ namespace LaserTracking.Detection
         /// <summary>Dots and rejected candidates that found no room.</summary>
         public int OverflowCount { get; private set; }
 
+        /// <summary>Width of the picture in which they were found, px; 0 when there was none. The scale for distances.</summary>
+        public int ImageWidthPx { get; set; }
+
         /// <summary>Share of the searched area, 0…1, in which a dot of ordinary strength could not be seen in this frame.</summary>
         public double BlindShare { get; set; }
 
@@ -40,6 +43,7 @@ namespace LaserTracking.Detection
             TimeUs = timeUs;
             _dotCount = _rejectedCount = OverflowCount = 0;
             BlindShare = 0;
+            ImageWidthPx = 0;
         }
 
         public void Add(in Dot dot)

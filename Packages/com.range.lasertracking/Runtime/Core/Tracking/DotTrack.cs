@@ -1,0 +1,29 @@
+using LaserTracking.Detection;
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Tracking
+{
+    /// <summary>What is known of one flash: where and when it began, what was last seen, whether it has been reported.</summary>
+    internal struct DotTrack
+    {
+        public int Id;
+        public Dot First;
+        public int FirstFrame;
+        public long FirstTimeUs;
+        public long FirstSigmaUs;
+        public Vector2D LastPx;
+        public int LastFrame;
+        public long LastTimeUs;
+
+        /// <summary>Dots of this flash so far.</summary>
+        public int Count;
+
+        /// <summary>Frames that showed a dot of this flash that had moved or begun anew since the frame before.</summary>
+        public int OnsetCount;
+
+        public bool IsReported;
+
+        /// <summary>Matched in the frame being processed.</summary>
+        public bool IsSeen;
+    }
+}

@@ -1,0 +1,275 @@
+using System;
+using LaserTracking.Detection;
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Tracking
+{
+    /// <summary>
+    /// Makes shots of dots: one flash is one shot however many frames it lasts; a dot that stays on is one shot and from then on only
+    /// a tracked dot. A conclusive dot is reported in its first frame; another one waits until it vanishes sharply or begins anew
+    /// nearby. Works for any detector. One thread at a time; allocates nothing once constructed. Read the spans before the next call.
+    /// </summary>
+    public sealed class ShotTracker
+    {
+        private const int MaxTracks = 64;
+        private readonly ShotTrackerSettings _settings;
+        private readonly DotTrack[] _tracks = new DotTrack[MaxTracks];
+        private readonly Shot[] _shots = new Shot[MaxTracks];
+        private readonly TrackedDot[] _dots = new TrackedDot[MaxTracks];
+        private readonly RejectedCandidate[] _rejected = new RejectedCandidate[2 * MaxTracks];
+        private readonly bool[] _taken = new bool[MaxTracks];
+        private int _trackCount;
+        private int _shotCount;
+        private int _dotCount;
+        private int _rejectedCount;
+        private int _lastShotId;
+        private int _lastTrackId;
+        private long _previousTimeUs;
+        private int _previousFrame;
+        private long _intervalUs;
+
+        /// <param name="settings">Defaults when absent. Copied.</param>
+        /// <exception cref="ArgumentException">A setting is outside its range.</exception>
+        public ShotTracker(ShotTrackerSettings? settings = null)
+        {
+            _settings = settings?.Clone() ?? new ShotTrackerSettings();
+            _settings.Validate();
+            Reset();
+        }
+
+        /// <summary>Shots reported by the last call, in the order in which their light began.</summary>
+        public ReadOnlySpan<Shot> Shots => new ReadOnlySpan<Shot>(_shots, 0, _shotCount);
+
+        /// <summary>All dots of the last frame that belong to a track whose shot has been reported.</summary>
+        public ReadOnlySpan<TrackedDot> Dots => new ReadOnlySpan<TrackedDot>(_dots, 0, _dotCount);
+
+        /// <summary>Dots that turned out in the last call to be no shot of their own.</summary>
+        public ReadOnlySpan<RejectedCandidate> Rejected => new ReadOnlySpan<RejectedCandidate>(_rejected, 0, _rejectedCount);
+
+        /// <summary>Forgets all tracks and starts to count from 1 again.</summary>
+        public void Reset()
+        {
+            _trackCount = _shotCount = _dotCount = _rejectedCount = 0;
+            _lastShotId = _lastTrackId = 0;
+            _previousTimeUs = long.MinValue;
+            _previousFrame = -1;
+            _intervalUs = 0;
+        }
+
+        /// <summary>Takes the dots of the next frame. Times that stand still or run back only make gaps look short.</summary>
+        public void Process(Detections detections)
+        {
+            _shotCount = _dotCount = _rejectedCount = 0;
+            long interval = _previousTimeUs == long.MinValue ? 0 : Math.Max(0, detections.TimeUs - _previousTimeUs);
+            if (interval > 0)
+                _intervalUs = interval;
+            double scale = detections.ImageWidthPx > 0 ? detections.ImageWidthPx / 640.0 : 1;
+            for (int i = 0; i < _trackCount; i++)
+                _tracks[i].IsSeen = false;
+            MatchNearestFirst(detections, scale);
+            ReadOnlySpan<Dot> dots = detections.Dots;
+            for (int i = 0; i < dots.Length && i < MaxTracks; i++)
+            {
+                if (!_taken[i])
+                    Begin(dots[i], detections);
+            }
+
+            SettleUnseen(detections, scale);
+            DropOld(detections.TimeUs, detections.FrameIndex);
+            _previousTimeUs = detections.TimeUs;
+            _previousFrame = detections.FrameIndex;
+        }
+
+        /// <summary>The stream has ended: dots still waiting for their proof have not got it.</summary>
+        public void Finish()
+        {
+            _shotCount = _dotCount = _rejectedCount = 0;
+            for (int i = 0; i < _trackCount; i++)
+            {
+                if (!_tracks[i].IsReported)
+                    Reject(_tracks[i].First.PositionPx, RejectionReason.NotConfirmed, _tracks[i].Count, _settings.MaxWaitFrames);
+            }
+
+            _trackCount = 0;
+        }
+
+        /// <summary>Links dots to tracks by the least distance of all pairs, again and again: few of both, and no order matters.</summary>
+        private void MatchNearestFirst(Detections detections, double scale)
+        {
+            ReadOnlySpan<Dot> dots = detections.Dots;
+            Array.Clear(_taken, 0, _taken.Length);
+            double radius = _settings.LinkRadiusPx * scale;
+            while (true)
+            {
+                double best = radius * radius;
+                int bestDot = -1, bestTrack = -1;
+                for (int t = 0; t < _trackCount; t++)
+                {
+                    if (_tracks[t].IsSeen)
+                        continue;
+                    for (int d = 0; d < dots.Length && d < MaxTracks; d++)
+                    {
+                        double distance = (dots[d].PositionPx - _tracks[t].LastPx).LengthSquared;
+                        if (!_taken[d] && (distance < best || (bestDot < 0 && distance <= best)))
+                        {
+                            best = distance;
+                            bestDot = d;
+                            bestTrack = t;
+                        }
+                    }
+                }
+
+                if (bestDot < 0)
+                    return;
+                _taken[bestDot] = true;
+                Continue(ref _tracks[bestTrack], dots[bestDot], detections);
+            }
+        }
+
+        private void Continue(ref DotTrack track, in Dot dot, Detections detections)
+        {
+            bool isTap = track.IsReported && dot.IsOnset && detections.FrameIndex - track.LastFrame >= 2
+                && detections.TimeUs - track.LastTimeUs >= _settings.MinTapGapUs;
+            if (isTap)
+            {
+                // The old flash ended in the dark frame between; the laser stays the same one, so the track keeps its number.
+                track = NewTrack(dot, detections, track.Id);
+            }
+            else
+            {
+                if (track.IsReported && dot.IsOnset && detections.FrameIndex - track.LastFrame >= 2)
+                    Reject(dot.PositionPx, RejectionReason.Duplicate, (dot.PositionPx - track.LastPx).Length, _settings.LinkRadiusPx);
+                track.LastPx = dot.PositionPx;
+                track.LastFrame = detections.FrameIndex;
+                track.LastTimeUs = detections.TimeUs;
+                track.Count++;
+                if (dot.IsOnset)
+                    track.OnsetCount++;
+                if (track.First.Color == LaserColor.Unknown)
+                    track.First.Color = dot.Color;
+            }
+
+            track.IsSeen = true;
+            if (!track.IsReported && (dot.IsConclusive || (track.OnsetCount >= 2 && dot.IsOnset)))
+                Report(ref track, detections.FrameIndex);
+            if (track.IsReported && _dotCount < MaxTracks)
+                _dots[_dotCount++] = new TrackedDot(track.Id, dot);
+        }
+
+        private void Begin(in Dot dot, Detections detections)
+        {
+            if (_trackCount == MaxTracks)
+            {
+                Reject(dot.PositionPx, RejectionReason.NotConfirmed, MaxTracks, MaxTracks);
+                return;
+            }
+
+            ref DotTrack track = ref _tracks[_trackCount++];
+            track = NewTrack(dot, detections, ++_lastTrackId);
+            track.IsSeen = true;
+            if (!dot.IsConclusive)
+                return;
+            Report(ref track, detections.FrameIndex);
+            if (_dotCount < MaxTracks)
+                _dots[_dotCount++] = new TrackedDot(track.Id, dot);
+        }
+
+        private DotTrack NewTrack(in Dot dot, Detections detections, int id) => new DotTrack
+        {
+            Id = id,
+            First = dot,
+            FirstFrame = detections.FrameIndex,
+            FirstTimeUs = detections.TimeUs,
+
+            // The light began at any moment since the frame before: uniform over one interval.
+            FirstSigmaUs = (long)(_intervalUs * 0.2886751345948129),
+            LastPx = dot.PositionPx,
+            LastFrame = detections.FrameIndex,
+            LastTimeUs = detections.TimeUs,
+            Count = 1,
+            OnsetCount = dot.IsOnset ? 1 : 0,
+        };
+
+        /// <summary>A waiting dot that is gone without a trace was a flash; one that left something behind, or stays too long, was not.</summary>
+        private void SettleUnseen(Detections detections, double scale)
+        {
+            int kept = 0;
+            for (int i = 0; i < _trackCount; i++)
+            {
+                ref DotTrack track = ref _tracks[i];
+                bool isWaiting = !track.IsReported;
+                if (isWaiting && !track.IsSeen && track.LastFrame == _previousFrame)
+                {
+                    double trace = NearestRejectedPx(detections, track.LastPx);
+                    if (trace > _settings.VanishRadiusPx * scale && detections.ImageWidthPx > 0)
+                        Report(ref track, detections.FrameIndex);
+                    else
+                        isWaiting = !Drop(track, detections.FrameIndex - track.FirstFrame);
+                }
+                else if (isWaiting && detections.FrameIndex - track.FirstFrame > _settings.MaxWaitFrames)
+                {
+                    isWaiting = !Drop(track, detections.FrameIndex - track.FirstFrame);
+                }
+
+                if (isWaiting || track.IsReported)
+                    _tracks[kept++] = track;
+            }
+
+            _trackCount = kept;
+        }
+
+        private bool Drop(in DotTrack track, int frames)
+        {
+            Reject(track.First.PositionPx, RejectionReason.NotConfirmed, frames, _settings.MaxWaitFrames);
+            return true;
+        }
+
+        private static double NearestRejectedPx(Detections detections, Vector2D at)
+        {
+            double nearest = double.PositiveInfinity;
+            foreach (RejectedCandidate candidate in detections.Rejected)
+                nearest = Math.Min(nearest, (candidate.PositionPx - at).Length);
+            return nearest;
+        }
+
+        private void DropOld(long timeUs, int frameIndex)
+        {
+            int kept = 0;
+            for (int i = 0; i < _trackCount; i++)
+            {
+                bool isOver = frameIndex - _tracks[i].LastFrame > 2 && timeUs - _tracks[i].LastTimeUs > _settings.MemoryUs;
+
+                // Clocks that stand still must not keep tracks for ever.
+                isOver |= frameIndex - _tracks[i].LastFrame > 60;
+                if (!isOver)
+                    _tracks[kept++] = _tracks[i];
+            }
+
+            _trackCount = kept;
+        }
+
+        private void Report(ref DotTrack track, int frameIndex)
+        {
+            track.IsReported = true;
+            if (_shotCount == MaxTracks)
+                return;
+            _shots[_shotCount++] = new Shot
+            {
+                Id = ++_lastShotId,
+                FrameIndex = frameIndex,
+                FirstFrameIndex = track.FirstFrame,
+                LastFrameIndex = track.LastFrame,
+                TimeUs = track.FirstTimeUs,
+                TimeSigmaUs = track.FirstSigmaUs,
+                Dot = track.First,
+                TrackId = track.Id,
+            };
+        }
+
+        private void Reject(Vector2D at, RejectionReason reason, double value, double limit)
+        {
+            if (_rejectedCount < _rejected.Length)
+                _rejected[_rejectedCount++] = new RejectedCandidate { PositionPx = at, Reason = reason, Value = value, Limit = limit };
+        }
+    }
+}

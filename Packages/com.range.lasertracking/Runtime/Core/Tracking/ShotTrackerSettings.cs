@@ -1,0 +1,42 @@
+using System;
+using LaserTracking.Detection;
+
+namespace LaserTracking.Tracking
+{
+    /// <summary>How dots become shots. Times in microseconds, lengths in pixels of a picture 640 wide (scaled to the real one).</summary>
+    public sealed class ShotTrackerSettings
+    {
+        /// <summary>A dot continues a track when it lies within this of the track's last dot, px at 640, 1…640.</summary>
+        public double LinkRadiusPx { get; set; } = 40;
+
+        /// <summary>A track that shows no dot for longer is over, µs, 0…10 s. Two frames are allowed at any frame rate.</summary>
+        public long MemoryUs { get; set; } = 90_000;
+
+        /// <summary>
+        /// A dot that begins anew on a track after darkness for at least this long is a new shot (double tap), µs, 0…10 s. Measured
+        /// from the last frame that showed the light; at least one dark frame must lie between.
+        /// </summary>
+        public long MinTapGapUs { get; set; } = 60_000;
+
+        /// <summary>Frames that a dot which is not conclusive may wait for its proof, 1…60.</summary>
+        public int MaxWaitFrames { get; set; } = 5;
+
+        /// <summary>
+        /// A rejected candidate within this of a waiting dot, in the frame where it should have vanished, says that it did not vanish
+        /// sharply, px at 640, 0…640.
+        /// </summary>
+        public double VanishRadiusPx { get; set; } = 16;
+
+        /// <exception cref="ArgumentException">A value is outside its range or NaN; the message names it.</exception>
+        public void Validate()
+        {
+            SettingCheck.InRange(nameof(LinkRadiusPx), LinkRadiusPx, 1, 640);
+            SettingCheck.InRange(nameof(MemoryUs), MemoryUs, 0, 10_000_000);
+            SettingCheck.InRange(nameof(MinTapGapUs), MinTapGapUs, 0, 10_000_000);
+            SettingCheck.InRange(nameof(MaxWaitFrames), MaxWaitFrames, 1, 60);
+            SettingCheck.InRange(nameof(VanishRadiusPx), VanishRadiusPx, 0, 640);
+        }
+
+        public ShotTrackerSettings Clone() => (ShotTrackerSettings)MemberwiseClone();
+    }
+}
