@@ -1,0 +1,71 @@
+using System;
+using LaserTracking.Scoring;
+using LaserTracking.Session;
+using UnityEngine;
+using UnityEngine.Events;
+
+namespace LaserTracking.Unity
+{
+    /// <summary>
+    /// Makes an object with a collider (its own or a child's) a target. Zones lie in the object's plane z = 0, in metres,
+    /// whatever its scale.
+    /// </summary>
+    [DisallowMultipleComponent]
+    [AddComponentMenu("Laser Tracking/Laser Target")]
+    public sealed class LaserTarget : MonoBehaviour
+    {
+        [SerializeField]
+        private TargetDefinitionAsset? _definition;
+
+        [SerializeField]
+        [Tooltip("Called for every shot that meets this target.")]
+        private UnityEvent<ShotEvent> _hit = new UnityEvent<ShotEvent>();
+
+        private TargetDefinition? _coreDefinition;
+        private bool _isDefinitionRead;
+
+        /// <summary>Raised on the main thread for every shot that meets this target.</summary>
+        public event Action<ShotEvent>? Hit;
+
+        /// <summary>What a hit is worth; null (said once in the Console) when there is no usable definition.</summary>
+        public TargetDefinition? Definition
+        {
+            get
+            {
+                if (!_isDefinitionRead)
+                {
+                    _isDefinitionRead = true;
+                    _coreDefinition = ReadDefinition();
+                }
+
+                return _coreDefinition;
+            }
+        }
+
+        /// <summary>Tells the listeners. Called by the <see cref="LaserRange"/>.</summary>
+        public void ReportHit(in ShotEvent shot)
+        {
+            Hit?.Invoke(shot);
+            _hit.Invoke(shot);
+        }
+
+        private TargetDefinition? ReadDefinition()
+        {
+            if (_definition == null)
+            {
+                Debug.LogWarning("LaserTarget " + name + " has no definition: hits on it score nothing; drag a target definition in", this);
+                return null;
+            }
+
+            try
+            {
+                return _definition.ToDefinition();
+            }
+            catch (InputException problem)
+            {
+                Debug.LogError(problem.Message, this);
+                return null;
+            }
+        }
+    }
+}

@@ -1,0 +1,100 @@
+using System.Collections.Generic;
+using LaserTracking.Geometry;
+using LaserTracking.Scoring;
+using UnityEngine;
+using Pose = LaserTracking.Geometry.Pose;
+using RaycastHit = LaserTracking.Scoring.RaycastHit;
+
+namespace LaserTracking.Unity
+{
+    /// <summary>
+    /// Casts rays with Unity's physics, so that a shot can meet any collider. Targets with a <see cref="TargetMotion"/> are put
+    /// where they were at the photon time for the cast and back afterwards. Main thread only.
+    /// </summary>
+    public sealed class PhysicsRaycaster : IRaycaster
+    {
+        private readonly int _layerMask;
+        private readonly QueryTriggerInteraction _triggers;
+        private readonly List<GameObject> _objects = new List<GameObject>();
+        private readonly List<LaserTarget?> _targets = new List<LaserTarget?>();
+        private readonly Dictionary<GameObject, int> _indices = new Dictionary<GameObject, int>();
+
+        /// <param name="hitLayers">Layers that shots can hit.</param>
+        /// <param name="triggers">Triggers are no solids: by default shots pass through them.</param>
+        public PhysicsRaycaster(LayerMask hitLayers, QueryTriggerInteraction triggers = QueryTriggerInteraction.Ignore)
+        {
+            _layerMask = hitLayers;
+            _triggers = triggers;
+        }
+
+        public bool TryRaycast(in Ray3D ray, double maxDistanceM, double sceneTimeS, out RaycastHit hit)
+        {
+            for (int i = 0; i < MovingTargets.Count; i++)
+                MovingTargets.At(i).Rewind(sceneTimeS);
+            // Colliders follow their transforms only now: without this the ray would meet the targets where they are shown.
+            Physics.SyncTransforms();
+            try
+            {
+                return TryRaycastAsPosed(ray, maxDistanceM, out hit);
+            }
+            finally
+            {
+                for (int i = MovingTargets.Count - 1; i >= 0; i--)
+                    MovingTargets.At(i).Restore();
+                Physics.SyncTransforms();
+            }
+        }
+
+        public bool TryGetTarget(int objectIndex, out string name, out TargetDefinition? definition)
+        {
+            if (objectIndex < 0 || objectIndex >= _objects.Count || _objects[objectIndex] == null)
+            {
+                name = "";
+                definition = null;
+                return false;
+            }
+
+            LaserTarget? target = _targets[objectIndex];
+            name = _objects[objectIndex].name;
+            definition = target == null ? null : target.Definition;
+            return true;
+        }
+
+        /// <summary>The target component of an object a hit names; false for scenery and for what was destroyed since.</summary>
+        public bool TryGetTargetComponent(int objectIndex, out LaserTarget? target)
+        {
+            target = objectIndex >= 0 && objectIndex < _targets.Count ? _targets[objectIndex] : null;
+            return target != null;
+        }
+
+        private bool TryRaycastAsPosed(in Ray3D ray, double maxDistanceM, out RaycastHit hit)
+        {
+            hit = default;
+            if (!Physics.Raycast(ray.Origin.ToUnity(), ray.Direction.ToUnity(), out UnityEngine.RaycastHit met, (float)maxDistanceM,
+                _layerMask, _triggers))
+                return false;
+            LaserTarget? target = met.collider.GetComponentInParent<LaserTarget>();
+            GameObject owner = target == null ? met.collider.gameObject : target.gameObject;
+            hit.ObjectIndex = IndexOf(owner, target);
+            hit.PointM = met.point.ToCore();
+            hit.Normal = met.normal.ToCore();
+            hit.DistanceM = met.distance;
+            hit.LocalPointM = owner.transform.WorldPose().InverseTransformPoint(hit.PointM);
+            return true;
+        }
+
+        private int IndexOf(GameObject owner, LaserTarget? target)
+        {
+            if (!_indices.TryGetValue(owner, out int index))
+            {
+                index = _objects.Count;
+                _indices.Add(owner, index);
+                _objects.Add(owner);
+                _targets.Add(target);
+            }
+
+            _targets[index] = target;
+            return index;
+        }
+    }
+}
