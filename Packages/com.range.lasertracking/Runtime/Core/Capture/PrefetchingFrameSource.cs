@@ -13,6 +13,9 @@ namespace LaserTracking.Capture
     {
         private readonly IFrameSource _source;
         private readonly Frame[] _ring;
+        private readonly List<FrameProblem>[] _ringProblems;
+        private readonly List<FrameProblem> _problems = new List<FrameProblem>();
+        private readonly List<FrameProblem> _lastProblems = new List<FrameProblem>();
         private readonly object _lock = new object();
         private readonly Thread _reader;
         private int _first;
@@ -29,16 +32,21 @@ namespace LaserTracking.Capture
                 throw new ArgumentOutOfRangeException(nameof(depth), depth, "1…64 frames");
             _source = source;
             _ring = new Frame[depth];
+            _ringProblems = new List<FrameProblem>[depth];
             for (int i = 0; i < depth; i++)
+            {
                 _ring[i] = new Frame();
+                _ringProblems[i] = new List<FrameProblem>();
+            }
+
             _reader = new Thread(ReadAhead) { IsBackground = true, Name = "frames of " + source.Info.Name };
             _reader.Start();
         }
 
         public FrameSourceInfo Info => _source.Info;
 
-        /// <summary>May run ahead of the frames handed out; complete once <see cref="TryRead"/> returned false.</summary>
-        public IReadOnlyList<FrameProblem> Problems => _source.Problems;
+        /// <summary>Grows with the frames handed out, not with those read ahead: two runs see the same.</summary>
+        public IReadOnlyList<FrameProblem> Problems => _problems;
 
         public bool TryRead(Frame frame)
         {
@@ -48,9 +56,13 @@ namespace LaserTracking.Capture
                     Monitor.Wait(_lock);
                 if (_count == 0)
                 {
+                    _problems.AddRange(_lastProblems);
+                    _lastProblems.Clear();
                     _failure?.Throw();
                     return false;
                 }
+
+                _problems.AddRange(_ringProblems[_first]);
 
                 frame.SwapWith(_ring[_first]);
                 _first = (_first + 1) % _ring.Length;
@@ -76,11 +88,13 @@ namespace LaserTracking.Capture
 
         private void ReadAhead()
         {
+            int known = 0;
             try
             {
                 while (true)
                 {
                     Frame free;
+                    List<FrameProblem> problems;
                     lock (_lock)
                     {
                         while (_count == _ring.Length && !_disposed)
@@ -88,10 +102,17 @@ namespace LaserTracking.Capture
                         if (_disposed)
                             return;
                         free = _ring[(_first + _count) % _ring.Length];
+                        problems = _ringProblems[(_first + _count) % _ring.Length];
                     }
 
                     // Filled outside the lock: the consumer never touches slots beyond _count.
-                    if (!_source.TryRead(free))
+                    bool isRead = _source.TryRead(free);
+                    if (!isRead)
+                        problems = _lastProblems;
+                    problems.Clear();
+                    for (; known < _source.Problems.Count; known++)
+                        problems.Add(_source.Problems[known]);
+                    if (!isRead)
                         return;
                     lock (_lock)
                     {

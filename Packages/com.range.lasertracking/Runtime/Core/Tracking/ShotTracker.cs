@@ -11,6 +11,9 @@ namespace LaserTracking.Tracking
     /// </summary>
     public sealed class ShotTracker
     {
+        /// <summary>No call reports more shots than this.</summary>
+        public const int MaxShotsPerFrame = MaxTracks;
+
         private const int MaxTracks = 64;
         private readonly ShotTrackerSettings _settings;
         private readonly DotTrack[] _tracks = new DotTrack[MaxTracks];
@@ -45,6 +48,22 @@ namespace LaserTracking.Tracking
 
         /// <summary>Dots that turned out in the last call to be no shot of their own.</summary>
         public ReadOnlySpan<RejectedCandidate> Rejected => new ReadOnlySpan<RejectedCandidate>(_rejected, 0, _rejectedCount);
+
+        /// <summary>When the light of the oldest dot began that may yet be reported as a shot, microseconds; long.MaxValue: none waits.</summary>
+        public long EarliestPendingTimeUs
+        {
+            get
+            {
+                long earliest = long.MaxValue;
+                for (int i = 0; i < _trackCount; i++)
+                {
+                    if (!_tracks[i].IsReported)
+                        earliest = Math.Min(earliest, _tracks[i].FirstTimeUs);
+                }
+
+                return earliest;
+            }
+        }
 
         /// <summary>Forgets all tracks and starts to count from 1 again.</summary>
         public void Reset()

@@ -1,0 +1,31 @@
+using System;
+
+namespace LaserTracking.Pipeline
+{
+    /// <summary>What the pipeline itself decides; each step has settings of its own. Validated when the pipeline is built.</summary>
+    public sealed class PipelineSettings
+    {
+        /// <summary>
+        /// Device time of camera 0 at which the scene's clock stood at zero, microseconds; null: the time of the first frame.
+        /// </summary>
+        public long? SceneTimeZeroUs { get; set; }
+
+        /// <summary>Added to camera 1's device times to bring them on camera 0's clock, microseconds.</summary>
+        public long HandClockOffsetUs { get; set; }
+
+        /// <summary>Share of the searched picture, 0…1, above which a frame counts as blind and a health event says so.</summary>
+        public double BlindShareLimit { get; set; } = 0.5;
+
+        /// <summary>A gap of more than this many usual frame intervals is reported; above 1.</summary>
+        public double FrameGapFactor { get; set; } = 2.5;
+
+        /// <exception cref="ArgumentException">A value is outside its range.</exception>
+        public void Validate()
+        {
+            if (!(BlindShareLimit >= 0 && BlindShareLimit <= 1))
+                throw new ArgumentException("BlindShareLimit must lie in 0…1");
+            if (!(FrameGapFactor > 1) || double.IsInfinity(FrameGapFactor))
+                throw new ArgumentException("FrameGapFactor must be above 1");
+        }
+    }
+}

@@ -1,0 +1,193 @@
+using System;
+using LaserTracking.Capture;
+using LaserTracking.Detection;
+using LaserTracking.Fusion;
+using LaserTracking.Geometry;
+using LaserTracking.Hands;
+using LaserTracking.Imaging;
+using LaserTracking.Scoring;
+using LaserTracking.Session;
+using LaserTracking.Tracking;
+
+namespace LaserTracking.Pipeline
+{
+    /// <summary>
+    /// The way of a frame: detection → tracking → geometry → fusion → scoring → session. Owns the steps and the buffers between
+    /// them and is the only place that knows them all. One thread at a time; no allocation per frame once warm. Frames of camera 1
+    /// must come before the frames of camera 0 that are later than they are; <see cref="SessionRunner"/> sees to that.
+    /// </summary>
+    public sealed class RangePipeline
+    {
+        private readonly PipelineSettings _settings;
+        private readonly IShotDetector _detector;
+        private readonly ShotTracker _tracker;
+        private readonly RangeCalibration? _calibration;
+        private readonly IHandTracker? _handTracker;
+        private readonly ShooterAssignment? _fusion;
+        private readonly ShotScorer? _scorer;
+        private readonly IEventSink _sink;
+        private readonly PipelineHealth _health;
+        private readonly Detections _detections = new Detections();
+        private readonly HandObservations _hands = new HandObservations();
+        private readonly FusedShot[] _fused = new FusedShot[ShotTracker.MaxShotsPerFrame];
+        private readonly Vector2D[] _shotsOnScreenM = new Vector2D[ShotTracker.MaxShotsPerFrame];
+        private long _sceneTimeZeroUs;
+        private long _firstTimeUs;
+        private long _lastTimeUs;
+        private int _frames;
+        private int _dropped;
+
+        /// <param name="detector">Finds the dots.</param>
+        /// <param name="tracker">Makes shots of them.</param>
+        /// <param name="calibration">Null: shots have pixels only, no screen position, shooter or hit.</param>
+        /// <param name="handTracker">Null: nobody is known to have fired.</param>
+        /// <param name="fusion">Who fired; null as for the hand tracker.</param>
+        /// <param name="scorer">What was hit; null: nothing is scored.</param>
+        /// <param name="sink">Receives all events.</param>
+        /// <param name="settings">Defaults when absent.</param>
+        public RangePipeline(IShotDetector detector, ShotTracker tracker, RangeCalibration? calibration, IHandTracker? handTracker,
+            ShooterAssignment? fusion, ShotScorer? scorer, IEventSink sink, PipelineSettings? settings = null)
+        {
+            _settings = settings ?? new PipelineSettings();
+            _settings.Validate();
+            _detector = detector;
+            _tracker = tracker;
+            _calibration = calibration;
+            _handTracker = calibration?.HandCamera == null ? null : handTracker;
+            _fusion = _handTracker == null ? null : fusion;
+            _scorer = calibration == null ? null : scorer;
+            _sink = sink;
+            _health = new PipelineHealth(_settings, sink);
+            if (calibration != null)
+                detector.SetScreenPolygon(calibration.Screen.CornersPx);
+        }
+
+        /// <summary>Starts a session; once, before the first frame.</summary>
+        public void Begin(SessionHeader header) => _sink.Begin(header);
+
+        /// <summary>Takes the next frame of camera 0, the one that sees the screen.</summary>
+        public void Process(Frame frame)
+        {
+            if (_frames == 0)
+            {
+                _firstTimeUs = frame.TimeUs;
+                _sceneTimeZeroUs = _settings.SceneTimeZeroUs ?? frame.TimeUs;
+            }
+
+            _frames++;
+            _lastTimeUs = frame.TimeUs;
+            bool hasPicture = frame.Color.IsPresent || frame.Infrared.IsPresent;
+            if (!hasPicture)
+                _dropped++;
+            _health.CheckFrame(frame, hasPicture);
+
+            _detections.Begin(frame.Index, frame.TimeUs);
+            _detector.Process(frame, _detections);
+            if (hasPicture)
+                _tracker.Process(_detections);
+            else
+                return;
+            _health.CheckDetections(_detections);
+            ReportRejected(_detections.Rejected);
+            ReportRejected(_tracker.Rejected);
+            ReportShots();
+            ReportDots();
+            _sink.OnTimePassed(Math.Min(frame.TimeUs, _tracker.EarliestPendingTimeUs));
+        }
+
+        /// <summary>Takes the next frame of camera 1, the one that sees the trainees.</summary>
+        public void ProcessHands(Frame frame)
+        {
+            if (_handTracker == null || !(_calibration?.HandCamera is HandCamera camera))
+                return;
+            _hands.Begin(frame.Index, frame.TimeUs);
+            _handTracker.Process(frame, _hands);
+            long timeUs = frame.TimeUs + _settings.HandClockOffsetUs;
+            _fusion?.AddHands(_hands, timeUs);
+            foreach (HandObservation hand in _hands.Hands)
+            {
+                var observed = new HandEvent
+                {
+                    FrameIndex = frame.Index,
+                    TimeUs = timeUs,
+                    TrackId = hand.TrackId,
+                    Side = hand.Side,
+                    PalmM = camera.ToScreenM(hand.PalmMm),
+                    MuzzleM = camera.ToScreenM(hand.MuzzleMm),
+                    DepthSource = hand.DepthSource,
+                };
+                _sink.OnHand(observed);
+            }
+        }
+
+        /// <summary>Passes on damage that a source found in its input; it shows as health.</summary>
+        public void ReportInputProblem(FrameProblem problem) => _health.ReportInput(problem, _lastTimeUs);
+
+        /// <summary>Ends the session: what still waited is settled and reported.</summary>
+        /// <param name="secondsWall">Time the run took by the host's clock.</param>
+        public void End(double secondsWall)
+        {
+            _tracker.Finish();
+            ReportRejected(_tracker.Rejected);
+            ReportShots();
+            _sink.End(new SessionEnd
+            {
+                Frames = _frames,
+                Dropped = _dropped,
+                SecondsMedia = (_lastTimeUs - _firstTimeUs) * 1e-6,
+                SecondsWall = secondsWall,
+            });
+        }
+
+        private void ReportShots()
+        {
+            ReadOnlySpan<Shot> shots = _tracker.Shots;
+            if (shots.Length == 0)
+                return;
+            if (_calibration != null)
+            {
+                for (int i = 0; i < shots.Length; i++)
+                    _shotsOnScreenM[i] = _calibration.Screen.ToScreenM(shots[i].Dot.PositionPx);
+                _fusion?.Assign(shots, _shotsOnScreenM, _fused);
+            }
+
+            for (int i = 0; i < shots.Length; i++)
+            {
+                var shot = new ShotEvent { Shot = shots[i] };
+                if (_calibration != null)
+                {
+                    shot.HasScreenPosition = true;
+                    shot.ScreenM = _shotsOnScreenM[i];
+                    shot.ScreenCovarianceMm2 = _calibration.Screen.ToScreenMm2(shots[i].Dot.PositionPx, shots[i].Dot.CovariancePx);
+                    if (_fusion != null)
+                        _fused[i].CopyTo(ref shot);
+                    double sceneTimeS = (shots[i].TimeUs - _sceneTimeZeroUs) * 1e-6;
+                    shot.HasHit = _scorer != null && _scorer.TryScore(shot, sceneTimeS, out shot.Hit);
+                }
+
+                _sink.OnShot(shot);
+            }
+        }
+
+        private void ReportDots()
+        {
+            foreach (TrackedDot tracked in _tracker.Dots)
+            {
+                _sink.OnDot(new DotEvent
+                {
+                    FrameIndex = _detections.FrameIndex,
+                    TimeUs = _detections.TimeUs,
+                    TrackId = tracked.TrackId,
+                    Dot = tracked.Dot,
+                    Shooter = _fusion?.ShooterOfTrack(tracked.TrackId) ?? 0,
+                });
+            }
+        }
+
+        private void ReportRejected(ReadOnlySpan<RejectedCandidate> rejected)
+        {
+            foreach (RejectedCandidate candidate in rejected)
+                _sink.OnRejected(new RejectedEvent { FrameIndex = _detections.FrameIndex, TimeUs = _detections.TimeUs, Candidate = candidate });
+        }
+    }
+}
