@@ -1,0 +1,73 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using LaserTracking.Geometry;
+using Newtonsoft.Json;
+using Newtonsoft.Json.Linq;
+
+namespace LaserTracking.Host.Calibration
+{
+    /// <summary>Points of the screen as seen in the image: {"image_px":[[x,y],…],"screen_m":[[x,y],…],"verify":{…same two…}}.</summary>
+    internal sealed record ScreenPoints(Vector2D[] ImagePx, Vector2D[] ScreenM, Vector2D[] VerifyImagePx, Vector2D[] VerifyScreenM, int[]? ImageSize)
+    {
+        public static ScreenPoints Read(string path)
+        {
+            if (!File.Exists(path))
+                throw new InputException(path, "no such file", "give the file of measured points");
+            JObject root;
+            try
+            {
+                root = JObject.Parse(File.ReadAllText(path));
+            }
+            catch (JsonReaderException problem)
+            {
+                throw new InputException(path, FormattableString.Invariant($"not JSON at line {problem.LineNumber}, column {problem.LinePosition}"), "correct the file");
+            }
+
+            Vector2D[] image = Points(root, path, "image_px", "image_px", true), screen = Points(root, path, "screen_m", "screen_m", true);
+            JToken? verify = root["verify"];
+            if (verify is JArray pairs)
+                verify = pairs.FirstOrDefault();
+            Vector2D[] verifyImage = Points(verify, path, "image_px", "verify.image_px", false), verifyScreen = Points(verify, path, "screen_m", "verify.screen_m", false);
+            if (image.Length != screen.Length || verifyImage.Length != verifyScreen.Length)
+                throw new InputException(path, "image_px and screen_m differ in length", "every point needs its partner");
+            int[]? size = root["image_size"] is JArray { Count: 2 } s ? new[] { (int)s[0], (int)s[1] } : null;
+            return new ScreenPoints(image, screen, verifyImage, verifyScreen, size);
+        }
+
+        /// <summary>Four corners "x,y" of the image, top-left first, clockwise.</summary>
+        public static ScreenPoints FromCorners(string[] corners, Vector2D sizeM)
+        {
+            if (corners.Length != 4)
+                throw new InputException("--corners", $"{corners.Length} corners given", "give four: top-left x,y, then clockwise");
+            var screen = new[] { default, new Vector2D(sizeM.X, 0), sizeM, new Vector2D(0, sizeM.Y) };
+            return new ScreenPoints(corners.Select(c => Pair(c, ',', "--corners")).ToArray(), screen, Array.Empty<Vector2D>(), Array.Empty<Vector2D>(), null);
+        }
+
+        /// <summary>Two numbers with a separator, in invariant culture.</summary>
+        public static Vector2D Pair(string text, char separator, string option)
+        {
+            string[] parts = text.Split(separator);
+            if (parts.Length == 2 && double.TryParse(parts[0], NumberStyles.Float, CultureInfo.InvariantCulture, out double x) &&
+                double.TryParse(parts[1], NumberStyles.Float, CultureInfo.InvariantCulture, out double y) && new Vector2D(x, y).IsFinite)
+                return new Vector2D(x, y);
+            throw new InputException(option, $"\"{text}\" is not two numbers with a '{separator}' between", $"write it as 3.5{separator}2");
+        }
+
+        private static Vector2D[] Points(JToken? parent, string path, string field, string shown, bool required)
+        {
+            if (parent?[field] is not JArray list)
+                return required ? throw new InputException(path, "field " + shown + " is missing", "give a list of [x,y]") : Array.Empty<Vector2D>();
+            var points = new Vector2D[list.Count];
+            for (int i = 0; i < points.Length; i++)
+            {
+                if (list[i] is not JArray { Count: 2 } pair || pair.Any(n => n.Type is not (JTokenType.Float or JTokenType.Integer)) || !new Vector2D((double)pair[0], (double)pair[1]).IsFinite)
+                    throw new InputException(path, $"field {shown}, point {i + 1}, is not two finite numbers", "correct the point");
+                points[i] = new Vector2D((double)pair[0], (double)pair[1]);
+            }
+
+            return points;
+        }
+    }
+}

@@ -1,0 +1,39 @@
+using System;
+using System.Collections.Generic;
+using LaserTracking.Capture;
+using LaserTracking.Geometry;
+using LaserTracking.Scoring;
+using LaserTracking.Session;
+
+namespace LaserTracking.Host.Sessions
+{
+    /// <summary>What a session runs on, whoever asked for it: replay, demo, a test.</summary>
+    internal sealed class SessionPlan
+    {
+        public required IFrameSource ScreenCamera { get; init; }
+
+        public IFrameSource? HandCamera { get; init; }
+
+        public RangeCalibration? Calibration { get; init; }
+
+        /// <summary>Path of the calibration, for the header.</summary>
+        public string? CalibrationName { get; init; }
+
+        public SceneModel? Scene { get; init; }
+
+        /// <summary>"shots" or "paper".</summary>
+        public string Detector { get; init; } = "shots";
+
+        public IReadOnlyList<SessionInput> Inputs { get; init; } = Array.Empty<SessionInput>();
+
+        public long? Seed { get; init; }
+
+        /// <summary>See PipelineSettings.SceneTimeZeroUs.</summary>
+        public long? SceneTimeZeroUs { get; init; }
+
+        public long HandClockOffsetUs { get; init; }
+
+        /// <summary>Wait so that frames come at their own times.</summary>
+        public bool IsPaced { get; init; }
+    }
+}
