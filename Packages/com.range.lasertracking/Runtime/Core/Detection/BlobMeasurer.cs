@@ -1,0 +1,92 @@
+using System;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>Grows a candidate from its brightest pixel and measures its shape. Pixels once taken belong to no later candidate of the plane.</summary>
+    internal sealed unsafe class BlobMeasurer
+    {
+        private int[] _stamps = Array.Empty<int>();
+        private int[] _stack = Array.Empty<int>();
+        private int _stamp;
+
+        /// <summary>Makes room for a picture of this many pixels.</summary>
+        public void Resize(int pixels, int maxArea)
+        {
+            _stamps = new int[pixels];
+            _stack = new int[maxArea + 1];
+            _stamp = 0;
+        }
+
+        /// <summary>Forgets which pixels are taken.</summary>
+        public void Begin()
+        {
+            if (_stamp == int.MaxValue)
+            {
+                Array.Clear(_stamps, 0, _stamps.Length);
+                _stamp = 0;
+            }
+
+            _stamp++;
+        }
+
+        public bool IsTaken(int index) => _stamps[index] == _stamp;
+
+        /// <summary>Fills area, box and moments. Growing stops when the area does not fit any more: Area is then the limit + 1.</summary>
+        public void Grow(in FrameView view, ref Candidate candidate)
+        {
+            int width = view.Width, height = view.Height;
+            int threshold = Math.Max(1, (candidate.PeakRelativeRise + 1) / 2);
+            int maxArea = _stack.Length - 1;
+            int seed = candidate.SeedY * width + candidate.SeedX;
+            int count = 0;
+            _stack[count++] = seed;
+            _stamps[seed] = _stamp;
+            candidate.Left = candidate.Right = candidate.SeedX;
+            candidate.Top = candidate.Bottom = candidate.SeedY;
+            long sumX = 0, sumY = 0, sumXX = 0, sumYY = 0, sumXY = 0;
+            for (int next = 0; next < count && count <= maxArea; next++)
+            {
+                int i = _stack[next];
+                int y = i / width, x = i - y * width;
+                int dx = x - candidate.SeedX, dy = y - candidate.SeedY;
+                sumX += dx;
+                sumY += dy;
+                sumXX += dx * dx;
+                sumYY += dy * dy;
+                sumXY += dx * dy;
+                candidate.Left = Math.Min(candidate.Left, x);
+                candidate.Right = Math.Max(candidate.Right, x);
+                candidate.Top = Math.Min(candidate.Top, y);
+                candidate.Bottom = Math.Max(candidate.Bottom, y);
+                int y0 = y > 0 ? y - 1 : 0, y1 = y < height - 1 ? y + 1 : y, x0 = x > 0 ? x - 1 : 0, x1 = x < width - 1 ? x + 1 : x;
+                for (int ny = y0; ny <= y1; ny++)
+                {
+                    for (int n = ny * width + x0; n <= ny * width + x1; n++)
+                    {
+                        if (_stamps[n] == _stamp || count > maxArea || view.RelativeRise(n, candidate.Plane) < threshold)
+                            continue;
+                        _stamps[n] = _stamp;
+                        _stack[count++] = n;
+                    }
+                }
+            }
+
+            candidate.Area = count;
+            double meanX = (double)sumX / count, meanY = (double)sumY / count;
+            candidate.CenterX = candidate.SeedX + meanX;
+            candidate.CenterY = candidate.SeedY + meanY;
+            Shape(ref candidate, (double)sumXX / count - meanX * meanX, (double)sumYY / count - meanY * meanY, (double)sumXY / count - meanX * meanY);
+        }
+
+        private static void Shape(ref Candidate candidate, double xx, double yy, double xy)
+        {
+            // A pixel is a square, not a point: its own variance keeps one-pixel lines from being infinitely thin.
+            xx += 1.0 / 12;
+            yy += 1.0 / 12;
+            double mean = (xx + yy) / 2, spread = Math.Sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
+            candidate.LongSigma = Math.Sqrt(mean + spread);
+            candidate.ShortSigma = Math.Sqrt(Math.Max(1.0 / 12, mean - spread));
+            candidate.Compactness = Math.Min(1, candidate.Area / (4 * Math.PI * candidate.LongSigma * candidate.ShortSigma));
+        }
+    }
+}

@@ -1,0 +1,55 @@
+namespace LaserTracking.Detection
+{
+    /// <summary>A spot that rose above its own past, with everything that the tests measure. Lengths in working pixels.</summary>
+    internal struct Candidate
+    {
+        public DetectionPlane Plane;
+        public int SeedX;
+        public int SeedY;
+
+        /// <summary>Largest rise, levels.</summary>
+        public int PeakRise;
+
+        /// <summary>Largest rise as a share of the headroom, 0…255.</summary>
+        public int PeakRelativeRise;
+
+        /// <summary>Pixels at half of the largest relative rise or more, connected to the seed.</summary>
+        public int Area;
+
+        public int Left;
+        public int Top;
+        public int Right;
+        public int Bottom;
+
+        /// <summary>Unweighted centre of the area.</summary>
+        public double CenterX;
+        public double CenterY;
+
+        /// <summary>Standard deviations of the area along its long and its short axis.</summary>
+        public double LongSigma;
+        public double ShortSigma;
+
+        /// <summary>Area through that of the ellipse with these deviations: 1 for a filled ellipse, less for anything ragged.</summary>
+        public double Compactness;
+
+        /// <summary>Share of the ring around the area that rose at least half as far.</summary>
+        public double RingShare;
+
+        /// <summary>Share of the surroundings that changed since the last frame by a sixth of the rise.</summary>
+        public double MotionShare;
+
+        /// <summary>The light was not there in the frame before.</summary>
+        public bool IsOnset;
+
+        /// <summary>Red and green rises as shares of their headrooms, summed over the dot and its rim.</summary>
+        public double RedRise;
+        public double GreenRise;
+
+        public bool IsConclusive;
+
+        /// <summary>None: it is a dot.</summary>
+        public RejectionReason Reason;
+        public double Value;
+        public double Limit;
+    }
+}

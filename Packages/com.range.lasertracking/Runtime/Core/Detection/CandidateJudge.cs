@@ -1,0 +1,78 @@
+using System;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>Puts a candidate through the tests, cheap ones first; the first one failed is the reason of its rejection.</summary>
+    internal sealed class CandidateJudge
+    {
+        private readonly ShotDetectorSettings _settings;
+        private readonly BlobMeasurer _blobs;
+
+        public CandidateJudge(ShotDetectorSettings settings, BlobMeasurer blobs)
+        {
+            _settings = settings;
+            _blobs = blobs;
+        }
+
+        /// <summary>Temporal noise of this frame, levels (one standard deviation).</summary>
+        public double Noise { get; set; }
+
+        /// <summary>Working pixels per pixel of a picture 640 wide.</summary>
+        public double Scale { get; set; } = 1;
+
+        /// <param name="view">The frame.</param>
+        /// <param name="candidate">Plane, seed and peaks given; everything else is filled.</param>
+        /// <param name="memory">Dots of the last frame: what goes on from there need not prove itself again.</param>
+        /// <param name="known">The dot of the last frame that it continues, if any.</param>
+        public void Judge(in FrameView view, ref Candidate candidate, DotMemory memory, out RememberedDot known)
+        {
+            known = default;
+            double area = Scale * Scale;
+            bool isLargest = candidate.Plane == DetectionPlane.Largest;
+            candidate.CenterX = candidate.SeedX;
+            candidate.CenterY = candidate.SeedY;
+            double minLevels = Math.Max(_settings.MinRiseLevels, _settings.MinRiseSigmas * Noise);
+            if (Fails(ref candidate, candidate.PeakRise < minLevels, RejectionReason.TooFaint, candidate.PeakRise, minLevels))
+                return;
+            double rise = candidate.PeakRelativeRise / 255.0;
+            if (Fails(ref candidate, rise < _settings.MinRise, RejectionReason.TooFaint, rise, _settings.MinRise))
+                return;
+            _blobs.Grow(view, ref candidate);
+            if (Fails(ref candidate, candidate.Area > _settings.MaxAreaPx * area, RejectionReason.TooLarge, candidate.Area / area, _settings.MaxAreaPx)
+                || Fails(ref candidate, candidate.Area < _settings.MinAreaPx * area, RejectionReason.TooSmall, candidate.Area / area, _settings.MinAreaPx)
+                || Fails(ref candidate, candidate.Compactness < _settings.MinCompactness, RejectionReason.NotCompact, candidate.Compactness, _settings.MinCompactness))
+                return;
+            double elongation = candidate.LongSigma / candidate.ShortSigma;
+            if (Fails(ref candidate, elongation > _settings.MaxElongation, RejectionReason.TooElongated, elongation, _settings.MaxElongation))
+                return;
+            int seed = candidate.SeedY * view.Width + candidate.SeedX;
+            candidate.IsOnset = 2 * view.Change(seed, candidate.Plane) >= candidate.PeakRise;
+            SurroundingsMeasurer.ColorRise(view, ref candidate);
+            if (!candidate.IsOnset && memory.TryFind(candidate, out known))
+            {
+                candidate.IsConclusive = known.IsConclusive;
+                Fails(ref candidate, !known.IsConclusive && known.Frames > _settings.MaxWaitFrames, RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
+                return;
+            }
+
+            candidate.RingShare = SurroundingsMeasurer.RingShare(view, candidate);
+            if (Fails(ref candidate, candidate.RingShare > _settings.MaxRingShare, RejectionReason.NotIsolated, candidate.RingShare, _settings.MaxRingShare))
+                return;
+            candidate.MotionShare = SurroundingsMeasurer.MotionShare(view, candidate, (int)(_settings.MotionRadiusPx * Scale), Noise);
+            if (Fails(ref candidate, candidate.MotionShare > _settings.MaxMotionShare, RejectionReason.MovingSurroundings, candidate.MotionShare, _settings.MaxMotionShare))
+                return;
+            candidate.IsConclusive = !isLargest && rise >= _settings.ConclusiveRise && candidate.RingShare <= _settings.ConclusiveRingShare
+                && candidate.MotionShare <= _settings.ConclusiveMotionShare;
+        }
+
+        private static bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit)
+        {
+            if (!isFailed)
+                return false;
+            candidate.Reason = reason;
+            candidate.Value = value;
+            candidate.Limit = limit;
+            return true;
+        }
+    }
+}

@@ -1,0 +1,89 @@
+using System;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>A dot of the last frame, in working pixels: what keeps its place from being learned as background.</summary>
+    internal struct RememberedDot
+    {
+        public int Left;
+        public int Top;
+        public int Right;
+        public int Bottom;
+        public int Frames;
+        public bool IsConclusive;
+        public LaserColor Color;
+
+        public bool Overlaps(in Candidate c) => c.Left <= Right && c.Right >= Left && c.Top <= Bottom && c.Bottom >= Top;
+    }
+
+    /// <summary>
+    /// The dots of the last frame. Where a dot shines the background must not learn, so that it stays a dot while it rests there, its
+    /// end is seen, and the next shot at the same spot finds the wall as it was.
+    /// </summary>
+    internal sealed unsafe class DotMemory
+    {
+        private const int Capacity = 64;
+        private RememberedDot[] _last = new RememberedDot[Capacity];
+        private RememberedDot[] _now = new RememberedDot[Capacity];
+        private int _lastCount;
+        private int _nowCount;
+
+        public void Clear() => _lastCount = _nowCount = 0;
+
+        /// <summary>The dot of the last frame that shone here.</summary>
+        public bool TryFind(in Candidate candidate, out RememberedDot dot)
+        {
+            for (int i = 0; i < _lastCount; i++)
+            {
+                if (_last[i].Overlaps(candidate))
+                {
+                    dot = _last[i];
+                    return true;
+                }
+            }
+
+            dot = default;
+            return false;
+        }
+
+        /// <summary>True inside the light of a dot already found in this frame.</summary>
+        public bool IsLit(int x, int y)
+        {
+            for (int i = 0; i < _nowCount; i++)
+            {
+                if (x >= _now[i].Left && x <= _now[i].Right && y >= _now[i].Top && y <= _now[i].Bottom)
+                    return true;
+            }
+
+            return false;
+        }
+
+        public void Add(in RememberedDot dot)
+        {
+            if (_nowCount < Capacity)
+                _now[_nowCount++] = dot;
+        }
+
+        /// <summary>Gives the places of this frame's dots their background of before back, and makes this frame the last one.</summary>
+        public void Protect(in FrameView view, TileGrid smallest, TileGrid largest)
+        {
+            for (int i = 0; i < _nowCount; i++)
+            {
+                RememberedDot dot = _now[i];
+                smallest.Exempt(dot.Left, dot.Top, dot.Right, dot.Bottom);
+                largest.Exempt(dot.Left, dot.Top, dot.Right, dot.Bottom);
+                int x0 = Math.Max(0, dot.Left), count = Math.Min(view.Width - 1, dot.Right) - x0 + 1;
+                for (int y = Math.Max(0, dot.Top); y <= Math.Min(view.Height - 1, dot.Bottom) && count > 0; y++)
+                {
+                    long row = (long)y * view.Width + x0;
+                    Buffer.MemoryCopy(view.OldSmallest + row, view.NewSmallest + row, count, count);
+                    Buffer.MemoryCopy(view.OldLargest + row, view.NewLargest + row, count, count);
+                }
+            }
+
+            (_last, _now) = (_now, _last);
+            _lastCount = _nowCount;
+            _nowCount = 0;
+        }
+    }
+}

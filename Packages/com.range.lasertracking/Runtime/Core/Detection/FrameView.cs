@@ -1,0 +1,53 @@
+namespace LaserTracking.Detection
+{
+    /// <summary>Pointers to the working pictures of one frame, valid during one call of Process, and what is read off them per pixel.</summary>
+    internal unsafe struct FrameView
+    {
+        public int Width;
+        public int Height;
+        public int Decay;
+        public uint* Now;
+        public uint* Before;
+        public byte* OldSmallest;
+        public byte* NewSmallest;
+        public byte* OldLargest;
+        public byte* NewLargest;
+
+        /// <summary>255·256 / (headroom + 8), by headroom.</summary>
+        public int* Reciprocal;
+
+        public static int Level(uint pixel, DetectionPlane plane)
+        {
+            int blue = (int)(pixel & 255), green = (int)(pixel >> 8 & 255), red = (int)(pixel >> 16 & 255);
+            if (plane == DetectionPlane.Smallest)
+            {
+                int smallest = blue < green ? blue : green;
+                return red < smallest ? red : smallest;
+            }
+
+            int largest = blue > green ? blue : green;
+            return red > largest ? red : largest;
+        }
+
+        /// <summary>The brightness that the pixel's own past explains.</summary>
+        public int Envelope(int i, DetectionPlane plane)
+        {
+            int old = plane == DetectionPlane.Smallest ? OldSmallest[i] : OldLargest[i];
+            return old > Decay ? old - Decay : 0;
+        }
+
+        /// <summary>Levels above the pixel's own past; may be negative.</summary>
+        public int Rise(int i, DetectionPlane plane) => Level(Now[i], plane) - Envelope(i, plane);
+
+        /// <summary>The rise as a share of the headroom, 0…255. Eight levels of headroom are always granted: noise at full brightness.</summary>
+        public int RelativeRise(int i, DetectionPlane plane)
+        {
+            int envelope = Envelope(i, plane);
+            int rise = Level(Now[i], plane) - envelope;
+            return rise <= 0 ? 0 : rise * Reciprocal[255 - envelope] >> 8;
+        }
+
+        /// <summary>Change since the last frame, levels.</summary>
+        public int Change(int i, DetectionPlane plane) => Level(Now[i], plane) - Level(Before[i], plane);
+    }
+}

@@ -1,0 +1,60 @@
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
+
+namespace LaserTracking.Detection
+{
+    internal static unsafe partial class EnvelopeKernel
+    {
+        /// <summary>Whole blocks of 32 pixels; returns how many are done. 0 where the processor lacks 256-bit vectors.</summary>
+        private static int RowVector(
+            uint* pixels, int width, byte decay, byte* oldMin, byte* newMin, byte* oldMax, byte* newMax, byte* columnMin, byte* columnMax)
+        {
+            if (!Avx2.IsSupported)
+                return 0;
+            Vector256<byte> step = Vector256.Create(decay);
+            Vector256<uint> lowByte = Vector256.Create(0xFFu);
+
+            // The two packs leave groups of four pixels in the order a0 b0 c0 d0 a1 b1 c1 d1.
+            Vector256<int> order = Vector256.Create(0, 4, 1, 5, 2, 6, 3, 7);
+            int x = 0;
+            for (; x + 32 <= width; x += 32)
+            {
+                Vector256<uint> a = Avx.LoadVector256(pixels + x);
+                Vector256<uint> b = Avx.LoadVector256(pixels + x + 8);
+                Vector256<uint> c = Avx.LoadVector256(pixels + x + 16);
+                Vector256<uint> d = Avx.LoadVector256(pixels + x + 24);
+                Vector256<byte> smallest = Pack(Smallest(a) & lowByte, Smallest(b) & lowByte, Smallest(c) & lowByte, Smallest(d) & lowByte, order);
+                Vector256<byte> largest = Pack(Largest(a) & lowByte, Largest(b) & lowByte, Largest(c) & lowByte, Largest(d) & lowByte, order);
+                Block(smallest, step, oldMin + x, newMin + x, columnMin + x);
+                Block(largest, step, oldMax + x, newMax + x, columnMax + x);
+            }
+
+            return x;
+        }
+
+        private static Vector256<uint> Smallest(Vector256<uint> p) => Avx2.Min(
+            Avx2.Min(p.AsByte(), Avx2.ShiftRightLogical(p, 8).AsByte()), Avx2.ShiftRightLogical(p, 16).AsByte()).AsUInt32();
+
+        private static Vector256<uint> Largest(Vector256<uint> p) => Avx2.Max(
+            Avx2.Max(p.AsByte(), Avx2.ShiftRightLogical(p, 8).AsByte()), Avx2.ShiftRightLogical(p, 16).AsByte()).AsUInt32();
+
+        private static Vector256<byte> Pack(Vector256<uint> a, Vector256<uint> b, Vector256<uint> c, Vector256<uint> d, Vector256<int> order)
+        {
+            Vector256<short> ab = Avx2.PackSignedSaturate(a.AsInt32(), b.AsInt32());
+            Vector256<short> cd = Avx2.PackSignedSaturate(c.AsInt32(), d.AsInt32());
+            return Avx2.PermuteVar8x32(Avx2.PackUnsignedSaturate(ab, cd).AsInt32(), order).AsByte();
+        }
+
+        private static void Block(Vector256<byte> level, Vector256<byte> decay, byte* old, byte* next, byte* column)
+        {
+            Vector256<byte> envelope = Avx2.SubtractSaturate(Avx.LoadVector256(old), decay);
+            Vector256<byte> headroom = Avx2.ShiftRightLogical(Avx2.Xor(envelope, Vector256<byte>.AllBitsSet).AsUInt16(), HeadroomShift).AsByte()
+                & Vector256.Create((byte)(0xFF >> HeadroomShift));
+            Vector256<byte> onset = Avx2.SubtractSaturate(Avx2.SubtractSaturate(level, envelope), headroom);
+            Avx.Store(next, Avx2.Max(level, envelope));
+            Avx.Store(column, Avx2.Max(Avx.LoadVector256(column), onset));
+        }
+    }
+}
+#endif

@@ -1,0 +1,44 @@
+using System;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>The picture's temporal noise from the median change of a sparse grid of pixels: what moves is the smaller part of them.</summary>
+    internal sealed class NoiseMeter
+    {
+        private const int Step = 7;
+        private const double Follow = 0.2;
+        private readonly int[] _histogram = new int[256];
+        private bool _isFirst = true;
+
+        /// <summary>Standard deviation of one frame, levels; never below half a level, the rounding's share.</summary>
+        public double Sigma { get; private set; } = 1;
+
+        public void Reset() => _isFirst = true;
+
+        public void Update(in FrameView view)
+        {
+            Array.Clear(_histogram, 0, 256);
+            int count = 0;
+            for (int y = Step / 2; y < view.Height; y += Step)
+            {
+                for (int x = Step / 2; x < view.Width; x += Step)
+                {
+                    _histogram[Math.Abs(view.Change(y * view.Width + x, DetectionPlane.Smallest))]++;
+                    count++;
+                }
+            }
+
+            if (count == 0)
+                return;
+            int level = 0, below = 0;
+            while (level < 255 && 2 * (below + _histogram[level]) < count)
+                below += _histogram[level++];
+
+            // Interpolated inside the bin; |difference of two| has its median at 0.954 sigma.
+            double inside = (count * 0.5 - below) / Math.Max(1, _histogram[level]);
+            double sigma = Math.Max(0.5, Math.Max(0, level - 0.5 + inside) / 0.954);
+            Sigma = _isFirst ? sigma : Sigma + Follow * (sigma - Sigma);
+            _isFirst = false;
+        }
+    }
+}

@@ -1,0 +1,218 @@
+using System;
+using LaserTracking.Capture;
+using LaserTracking.Geometry;
+using LaserTracking.Imaging;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>
+    /// The default detector. A dot is what rises sharply above the recent past of its own pixels, measured against the room that was
+    /// left there, alone in quiet surroundings. Works on saturated and on faint dots, while other parts of the picture move, and
+    /// usually from a single frame. Integer kernels on the raw frame find the few tiles worth exact work.
+    /// </summary>
+    public sealed unsafe class ShotDetector : IShotDetector
+    {
+        private const int GateFloor = 4;
+        private readonly ShotDetectorSettings _settings;
+        private readonly DetectionPlanes _planes = new DetectionPlanes();
+        private readonly BlobMeasurer _blobs = new BlobMeasurer();
+        private readonly CandidateJudge _judge;
+        private readonly DotLocator _locator = new DotLocator();
+        private readonly DotMemory _memory = new DotMemory();
+        private readonly NoiseMeter _noise = new NoiseMeter();
+        private readonly ScreenMask _mask = new ScreenMask();
+        private readonly int[] _reciprocal = new int[256];
+        private readonly Candidate[] _candidates;
+        private int _candidateCount;
+
+        /// <param name="settings">Defaults when absent. Copied.</param>
+        /// <exception cref="ArgumentException">A setting is outside its range.</exception>
+        public ShotDetector(ShotDetectorSettings? settings = null)
+        {
+            _settings = settings?.Clone() ?? new ShotDetectorSettings();
+            _settings.Validate();
+            _judge = new CandidateJudge(_settings, _blobs);
+            _candidates = new Candidate[4 * _settings.MaxCandidates];
+            for (int headroom = 0; headroom < 256; headroom++)
+                _reciprocal[headroom] = 255 * 256 / (headroom + 8);
+        }
+
+        public string Name => "shots";
+
+        /// <summary>Everything examined in the last frame, for tests and explanations.</summary>
+        internal ReadOnlySpan<Candidate> Candidates => new ReadOnlySpan<Candidate>(_candidates, 0, _candidateCount);
+
+        public void SetScreenPolygon(Vector2D[] cornersPx) => _mask.Set(cornersPx);
+
+        public void Reset() => _planes.Reset();
+
+        public void Process(Frame frame, Detections detections)
+        {
+            Image image = frame.Color;
+            detections.Begin(frame.Index, image.IsPresent ? image.TimeUs : frame.TimeUs);
+            if (!image.IsPresent || !PixelRow.CanRead(image.Format))
+                return;
+            detections.ImageWidthPx = image.Width;
+            if (_planes.Fit(image, _settings.FullSizeMaxWidthPx))
+                Restart();
+            _planes.Update(image, _settings.EnvelopeDecay, _settings.UseVectors);
+            if (_planes.FrameCount < 2)
+                return;
+            fixed (uint* now = _planes.Now, before = _planes.Before)
+            fixed (byte* oldMin = _planes.OldSmallest, newMin = _planes.NewSmallest, oldMax = _planes.OldLargest, newMax = _planes.NewLargest)
+            fixed (int* reciprocal = _reciprocal)
+            {
+                var view = new FrameView
+                {
+                    Width = _planes.Width,
+                    Height = _planes.Height,
+                    Decay = _settings.EnvelopeDecay,
+                    Now = now,
+                    Before = before,
+                    OldSmallest = oldMin,
+                    NewSmallest = newMin,
+                    OldLargest = oldMax,
+                    NewLargest = newMax,
+                    Reciprocal = reciprocal,
+                };
+                Search(image, view, detections);
+            }
+        }
+
+        private void Restart()
+        {
+            double scale = _planes.Width / 640.0;
+            _judge.Scale = Math.Max(0.25, scale);
+            _blobs.Resize(_planes.Width * _planes.Height, (int)(_settings.MaxAreaPx * _judge.Scale * _judge.Scale) + 1);
+            _memory.Clear();
+            _noise.Reset();
+        }
+
+        private void Search(Image image, in FrameView view, Detections detections)
+        {
+            _noise.Update(view);
+            _judge.Noise = _noise.Sigma;
+            _candidateCount = 0;
+            SearchPlane(image, view, DetectionPlane.Smallest, _planes.SmallestTiles, detections);
+            SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, detections);
+            detections.BlindShare = BlindShare();
+            _memory.Protect(view, _planes.SmallestTiles, _planes.LargestTiles);
+            _planes.SmallestTiles.Learn();
+            _planes.LargestTiles.Learn();
+        }
+
+        private void SearchPlane(Image image, in FrameView view, DetectionPlane plane, TileGrid tiles, Detections detections)
+        {
+            _blobs.Begin();
+            foreach (int tile in tiles.FindHot(GateFloor, _settings.MaxCandidates))
+            {
+                for (int round = 0; round < 2; round++)
+                {
+                    if (_candidateCount == _candidates.Length || !TrySeed(view, plane, tile % tiles.Columns, tile / tiles.Columns, out Candidate candidate))
+                        break;
+                    Examine(image, view, ref candidate, detections);
+                    _candidates[_candidateCount++] = candidate;
+                    if (candidate.Reason == RejectionReason.TooFaint)
+                        break;
+                }
+            }
+        }
+
+        /// <summary>The highest relative rise in the tile that no candidate of this plane, and no dot found already, has taken.</summary>
+        private bool TrySeed(in FrameView view, DetectionPlane plane, int tileX, int tileY, out Candidate candidate)
+        {
+            int best = 0, bestX = -1, bestY = -1;
+            int x0 = tileX * TileGrid.Size, x1 = Math.Min(view.Width, x0 + TileGrid.Size);
+            int y0 = tileY * TileGrid.Size, y1 = Math.Min(view.Height, y0 + TileGrid.Size);
+            for (int y = y0; y < y1; y++)
+            {
+                for (int x = x0; x < x1; x++)
+                {
+                    int i = y * view.Width + x;
+                    int rise = view.RelativeRise(i, plane);
+                    if (rise > best && !_blobs.IsTaken(i) && !_memory.IsLit(x, y))
+                    {
+                        best = rise;
+                        bestX = x;
+                        bestY = y;
+                    }
+                }
+            }
+
+            candidate = new Candidate { Plane = plane, SeedX = bestX, SeedY = bestY, PeakRelativeRise = best };
+            if (bestX < 0)
+                return false;
+            candidate.PeakRise = view.Rise(bestY * view.Width + bestX, plane);
+            return true;
+        }
+
+        private void Examine(Image image, in FrameView view, ref Candidate candidate, Detections detections)
+        {
+            _judge.Judge(view, ref candidate, _memory, out RememberedDot known);
+            int factor = _planes.Factor;
+            var position = new Vector2D((candidate.CenterX + 0.5) * factor - 0.5, (candidate.CenterY + 0.5) * factor - 0.5);
+            if (candidate.Reason == RejectionReason.None && !_mask.IsWholePicture)
+            {
+                double outside = _mask.SignedDistancePx(position);
+                if (outside > 0)
+                {
+                    candidate.Reason = RejectionReason.OutsideScreen;
+                    candidate.Value = outside;
+                    candidate.Limit = 0;
+                }
+            }
+
+            if (candidate.Reason != RejectionReason.None)
+            {
+                detections.Reject(new RejectedCandidate { PositionPx = position, Reason = candidate.Reason, Value = candidate.Value, Limit = candidate.Limit });
+                return;
+            }
+
+            var dot = new Dot { IsConclusive = candidate.IsConclusive, IsOnset = candidate.IsOnset };
+            _locator.Locate(image, view, factor, candidate, _noise.Sigma, ref dot);
+            dot.Color = candidate.IsOnset || known.Frames == 0 ? ColorOf(candidate) : known.Color;
+            dot.Factors = Factors(candidate, dot.PositionPx, image);
+            dot.Confidence = Math.Min(1, dot.Factors.Sum);
+            detections.Add(dot);
+            Remember(candidate, dot.Color, known);
+        }
+
+        private LaserColor ColorOf(in Candidate candidate)
+        {
+            double red = candidate.RedRise, green = candidate.GreenRise;
+            if (green > 0 && green > red * _settings.ColorRatio)
+                return LaserColor.Green;
+            if (red > 0 && red > green * _settings.ColorRatio)
+                return LaserColor.Red;
+            return LaserColor.Unknown;
+        }
+
+        private ConfidenceFactors Factors(in Candidate candidate, Vector2D positionPx, Image image)
+        {
+            double peak = candidate.PeakRelativeRise / 255.0;
+            double contrast = 1 - candidate.RingShare / Math.Max(1e-9, _settings.MaxRingShare);
+            var center = new Vector2D((image.Width - 1) * 0.5, (image.Height - 1) * 0.5);
+            double away = (positionPx - center).Length / Math.Max(1, center.Length);
+            double rest = 1 - candidate.MotionShare / Math.Max(1e-9, _settings.MaxMotionShare);
+            return new ConfidenceFactors(0.4 * Math.Min(1, peak), 0.3 * Math.Max(0, contrast), 0.2 * Math.Max(0, 1 - away), 0.1 * Math.Max(0, rest));
+        }
+
+        private void Remember(in Candidate candidate, LaserColor color, in RememberedDot known)
+        {
+            int margin = 3 + Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top);
+            _memory.Add(new RememberedDot
+            {
+                Left = candidate.Left - margin,
+                Top = candidate.Top - margin,
+                Right = candidate.Right + margin,
+                Bottom = candidate.Bottom + margin,
+                Frames = candidate.IsOnset ? 1 : known.Frames + 1,
+                IsConclusive = candidate.IsConclusive,
+                Color = color,
+            });
+        }
+
+        /// <summary>Tiles whose threshold their own activity has raised above a third of full brightness.</summary>
+        private double BlindShare() => 0;
+    }
+}

@@ -1,0 +1,94 @@
+using System;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>
+    /// Limits of the default detector. Lengths are pixels of a picture 640 wide and areas their squares, both scaled to the real
+    /// size; rises are shares of the headroom (the room left between a pixel's own past and full brightness) unless they say levels.
+    /// Checked when a <see cref="ShotDetector"/> is made from it.
+    /// </summary>
+    public sealed class ShotDetectorSettings
+    {
+        /// <summary>Wider frames are searched at half size (2×2 maximum) and measured at full size, px, 1…16384.</summary>
+        public int FullSizeMaxWidthPx { get; set; } = 1100;
+
+        /// <summary>Levels a frame by which the remembered brightness of a pixel fades, 1…64.</summary>
+        public int EnvelopeDecay { get; set; } = 6;
+
+        /// <summary>Least rise of a candidate, levels, 1…255.</summary>
+        public double MinRiseLevels { get; set; } = 8;
+
+        /// <summary>Least rise of a candidate in standard deviations of the picture's temporal noise, 0…100.</summary>
+        public double MinRiseSigmas { get; set; } = 6;
+
+        /// <summary>Least rise of a candidate, share of the headroom 0…1.</summary>
+        public double MinRise { get; set; } = 0.12;
+
+        /// <summary>Least rise at which one frame suffices, share of the headroom 0…1.</summary>
+        public double ConclusiveRise { get; set; } = 0.33;
+
+        /// <summary>Least area at half height, px² at 640, 0…10000.</summary>
+        public double MinAreaPx { get; set; } = 4;
+
+        /// <summary>Largest area at half height, px² at 640, 1…100000.</summary>
+        public double MaxAreaPx { get; set; } = 600;
+
+        /// <summary>Least area through that of the ellipse with the same second moments, 0…1.</summary>
+        public double MinCompactness { get; set; } = 0.5;
+
+        /// <summary>Largest length through width, 1…100.</summary>
+        public double MaxElongation { get; set; } = 12;
+
+        /// <summary>Largest share of the ring around the dot that rose at least half as far, 0…1; for a dot that has to wait.</summary>
+        public double MaxRingShare { get; set; } = 0.15;
+
+        /// <summary>The same where one frame is to suffice.</summary>
+        public double ConclusiveRingShare { get; set; } = 0.05;
+
+        /// <summary>Largest share of the surroundings that changed since the last frame, 0…1; for a dot that has to wait.</summary>
+        public double MaxMotionShare { get; set; } = 0.12;
+
+        /// <summary>The same where one frame is to suffice.</summary>
+        public double ConclusiveMotionShare { get; set; } = 0.035;
+
+        /// <summary>Radius of the surroundings that must be at rest, px at 640, 4…320.</summary>
+        public double MotionRadiusPx { get; set; } = 40;
+
+        /// <summary>Least ratio of the stronger to the weaker of the red and green rises for a colour to be named, 1…10.</summary>
+        public double ColorRatio { get; set; } = 1.1;
+
+        /// <summary>Frames that a dot which is not conclusive may stay on before it is taken for scenery, 1…60.</summary>
+        public int MaxWaitFrames { get; set; } = 5;
+
+        /// <summary>Candidates that one frame may have examined in each of the two planes, 1…4096: bounds the time.</summary>
+        public int MaxCandidates { get; set; } = 64;
+
+        /// <summary>Explicit vector instructions where the processor has them; results are the same without.</summary>
+        public bool UseVectors { get; set; } = true;
+
+        /// <exception cref="ArgumentException">A value is outside its range or NaN; the message names it.</exception>
+        public void Validate()
+        {
+            SettingCheck.InRange(nameof(FullSizeMaxWidthPx), FullSizeMaxWidthPx, 1, 16384);
+            SettingCheck.InRange(nameof(EnvelopeDecay), EnvelopeDecay, 1, 64);
+            SettingCheck.InRange(nameof(MinRiseLevels), MinRiseLevels, 1, 255);
+            SettingCheck.InRange(nameof(MinRiseSigmas), MinRiseSigmas, 0, 100);
+            SettingCheck.InRange(nameof(MinRise), MinRise, 0, 1);
+            SettingCheck.InRange(nameof(ConclusiveRise), ConclusiveRise, 0, 1);
+            SettingCheck.InRange(nameof(MinAreaPx), MinAreaPx, 0, 10000);
+            SettingCheck.InRange(nameof(MaxAreaPx), MaxAreaPx, 1, 100000);
+            SettingCheck.InRange(nameof(MinCompactness), MinCompactness, 0, 1);
+            SettingCheck.InRange(nameof(MaxElongation), MaxElongation, 1, 100);
+            SettingCheck.InRange(nameof(MaxRingShare), MaxRingShare, 0, 1);
+            SettingCheck.InRange(nameof(ConclusiveRingShare), ConclusiveRingShare, 0, 1);
+            SettingCheck.InRange(nameof(MaxMotionShare), MaxMotionShare, 0, 1);
+            SettingCheck.InRange(nameof(ConclusiveMotionShare), ConclusiveMotionShare, 0, 1);
+            SettingCheck.InRange(nameof(MotionRadiusPx), MotionRadiusPx, 4, 320);
+            SettingCheck.InRange(nameof(ColorRatio), ColorRatio, 1, 10);
+            SettingCheck.InRange(nameof(MaxWaitFrames), MaxWaitFrames, 1, 60);
+            SettingCheck.InRange(nameof(MaxCandidates), MaxCandidates, 1, 4096);
+        }
+
+        public ShotDetectorSettings Clone() => (ShotDetectorSettings)MemberwiseClone();
+    }
+}

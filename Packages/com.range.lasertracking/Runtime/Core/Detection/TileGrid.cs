@@ -1,0 +1,111 @@
+using System;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>
+    /// The largest onset of each tile of 16×16 working pixels, and how large it has been of late: a region that keeps moving raises
+    /// its own threshold and nobody else's. Picks the tiles worth exact work, the most surprising ones when there are too many.
+    /// </summary>
+    internal sealed class TileGrid
+    {
+        public const int Size = 16;
+        private const float Follow = 0.25f;
+        private readonly int[] _histogram = new int[256];
+        private byte[] _onsets = Array.Empty<byte>();
+        private float[] _activity = Array.Empty<float>();
+        private bool[] _isExempt = Array.Empty<bool>();
+        private int[] _hot = Array.Empty<int>();
+
+        public int Columns { get; private set; }
+
+        public int Rows { get; private set; }
+
+        /// <summary>Tiles above their threshold in this frame, also those beyond the limit.</summary>
+        public int HotCount { get; private set; }
+
+        public byte[] Onsets => _onsets;
+
+        public void Resize(int width, int height)
+        {
+            Columns = (width + Size - 1) / Size;
+            Rows = (height + Size - 1) / Size;
+            _onsets = new byte[Columns * Rows];
+            _activity = new float[Columns * Rows];
+            _isExempt = new bool[Columns * Rows];
+            _hot = new int[Columns * Rows];
+        }
+
+        /// <summary>Reduces a row of column maxima to the tiles of one tile row.</summary>
+        public unsafe void SetRow(int tileRow, byte* columns, int width)
+        {
+            for (int t = 0; t < Columns; t++)
+            {
+                int end = Math.Min(width, (t + 1) * Size);
+                byte largest = 0;
+                for (int x = t * Size; x < end; x++)
+                {
+                    if (columns[x] > largest)
+                        largest = columns[x];
+                }
+
+                _onsets[tileRow * Columns + t] = largest;
+            }
+        }
+
+        /// <summary>Tiles to look into, in reading order; at most limit of them.</summary>
+        public ReadOnlySpan<int> FindHot(int floor, int limit)
+        {
+            Array.Clear(_histogram, 0, 256);
+            HotCount = 0;
+            for (int i = 0; i < _onsets.Length; i++)
+            {
+                int surprise = Surprise(i, floor);
+                if (surprise <= 0)
+                    continue;
+                _histogram[surprise]++;
+                HotCount++;
+            }
+
+            int cut = 1;
+            if (HotCount > limit)
+            {
+                int above = 0;
+                for (cut = 255; cut > 0 && above + _histogram[cut] <= limit; cut--)
+                    above += _histogram[cut];
+                cut = Math.Min(255, cut + 1);
+            }
+
+            int count = 0;
+            for (int i = 0; i < _onsets.Length && count < limit; i++)
+            {
+                if (_onsets[i] > 0 && Surprise(i, floor) >= cut)
+                    _hot[count++] = i;
+            }
+
+            return new ReadOnlySpan<int>(_hot, 0, count);
+        }
+
+        /// <summary>A dot's own light must not raise the threshold under it.</summary>
+        public void Exempt(int left, int top, int right, int bottom)
+        {
+            for (int y = Math.Max(0, top / Size); y <= Math.Min(Rows - 1, bottom / Size); y++)
+            {
+                for (int x = Math.Max(0, left / Size); x <= Math.Min(Columns - 1, right / Size); x++)
+                    _isExempt[y * Columns + x] = true;
+            }
+        }
+
+        /// <summary>Lets the activity follow this frame's onsets.</summary>
+        public void Learn()
+        {
+            for (int i = 0; i < _onsets.Length; i++)
+            {
+                if (!_isExempt[i])
+                    _activity[i] += Follow * (_onsets[i] - _activity[i]);
+                _isExempt[i] = false;
+            }
+        }
+
+        private int Surprise(int i, int floor) => _onsets[i] - floor - (int)(0.9f * _activity[i]);
+    }
+}
