@@ -1,0 +1,149 @@
+using System;
+using System.Collections.Generic;
+using LaserTracking.Imaging;
+
+namespace LaserTracking.Capture.AzureKinect
+{
+    /// <summary>
+    /// Frames of a recording. Colour comes as it was recorded (NV12, YUY2, BGRA) or as the JPEG decoder gives it; depth and infrared
+    /// little-endian. A picture whose payload has the wrong size or cannot be decoded is absent and a problem; its frame stays.
+    /// </summary>
+    public sealed class KinectRecordingSource : IFrameSource
+    {
+        private readonly KinectRecording _recording;
+        private readonly KinectStreams _streams;
+        private readonly JpegImageDecoder? _jpegDecoder;
+        private readonly KinectCapture _capture = new KinectCapture();
+        private byte[] _jpeg = Array.Empty<byte>();
+
+        /// <param name="recording">Read from where it stands; disposed with this source.</param>
+        /// <param name="streams">The pictures to deliver; others are not read.</param>
+        /// <param name="jpegDecoder">Decodes MJPG colour; without it such colour pictures are absent.</param>
+        public KinectRecordingSource(KinectRecording recording, KinectStreams streams = KinectStreams.All, JpegImageDecoder? jpegDecoder = null)
+        {
+            _recording = recording;
+            _streams = streams;
+            _jpegDecoder = jpegDecoder;
+            KinectTrack? track = recording.ColorTrack ?? recording.DepthTrack ?? recording.InfraredTrack;
+            Info = new FrameSourceInfo(recording.Name, track?.Width ?? 0, track?.Height ?? 0, recording.Configuration.FramesPerSecond, recording.LengthUs);
+        }
+
+        public FrameSourceInfo Info { get; }
+
+        public IReadOnlyList<FrameProblem> Problems => _recording.Problems;
+
+        /// <summary>The recording, for its calibration, configuration and seeking.</summary>
+        public KinectRecording Recording => _recording;
+
+        /// <summary>
+        /// Fills the next capture's pictures. <see cref="Frame.TimeUs"/> is that of the first wanted picture in the order colour,
+        /// depth, infrared. A capture without any wanted picture is an empty frame, so that indices stay those of the recording.
+        /// </summary>
+        public bool TryRead(Frame frame)
+        {
+            if (!_recording.TryReadNext(_capture))
+                return false;
+            frame.Begin(_capture.Index, FirstWantedTime());
+            if ((_streams & KinectStreams.Color) != 0)
+                ReadImage(_capture.Color, frame.Color);
+            if ((_streams & KinectStreams.Depth) != 0)
+                ReadImage(_capture.Depth, frame.Depth);
+            if ((_streams & KinectStreams.Infrared) != 0)
+                ReadImage(_capture.Infrared, frame.Infrared);
+            return true;
+        }
+
+        /// <summary>Passes over captures without reading their pictures, until the next frame has this index. False when the recording ends before.</summary>
+        public bool TrySkipTo(int index)
+        {
+            if (_capture.Index < 0 || _capture.Index >= index)
+            {
+                _recording.SeekToStart();
+                _capture.Clear();
+            }
+
+            while (_capture.Index < index - 1)
+            {
+                if (!_recording.TryReadNext(_capture))
+                    return false;
+            }
+
+            return true;
+        }
+
+        public void Dispose() => _recording.Dispose();
+
+        private long FirstWantedTime()
+        {
+            if ((_streams & KinectStreams.Color) != 0 && _capture.Color.IsPresent)
+                return _capture.Color.DeviceTimeUs;
+            if ((_streams & KinectStreams.Depth) != 0 && _capture.Depth.IsPresent)
+                return _capture.Depth.DeviceTimeUs;
+            if ((_streams & KinectStreams.Infrared) != 0 && _capture.Infrared.IsPresent)
+                return _capture.Infrared.DeviceTimeUs;
+            return _capture.DeviceTimeUs;
+        }
+
+        private void ReadImage(in KinectImage source, Image target)
+        {
+            if (!source.IsPresent)
+                return;
+            KinectTrack track = source.Track!;
+            string? problem = track.Format switch
+            {
+                KinectImageFormat.Unknown => "",
+                KinectImageFormat.Mjpg => ReadJpeg(source, target),
+                _ => ReadRaw(source, target),
+            };
+            if (problem == null)
+                return;
+            target.Clear();
+            if (problem.Length > 0 && _recording.AcceptsProblem(source.Offset))
+                _recording.Report(source.Offset, track.Name + " picture is missing: " + problem, _capture.Index);
+        }
+
+        private string? ReadRaw(in KinectImage source, Image target)
+        {
+            KinectTrack track = source.Track!;
+            PixelFormat format = PixelFormatOf(track.Format);
+            long size = Image.TightSize(format, track.Width, track.Height);
+            if (size == 0 || size != source.SizeBytes)
+            {
+                // The message is only built when it will be kept: a damaged recording must not allocate with every frame.
+                return _recording.AcceptsProblem(source.Offset)
+                    ? "its payload has " + source.SizeBytes + " bytes, " + track.Width + "×" + track.Height + " " + track.Format + " needs " + size
+                    : "";
+            }
+
+            target.Reset(format, track.Width, track.Height, source.DeviceTimeUs);
+            return _recording.TryReadPayload(source, target.Bytes) ? null : "its payload cannot be read";
+        }
+
+        private string? ReadJpeg(in KinectImage source, Image target)
+        {
+            if (_jpegDecoder == null)
+                return "";
+            if (source.SizeBytes > (long)source.Track!.Width * source.Track.Height * 4)
+                return "its JPEG is larger than the raw picture";
+            if (_jpeg.Length < source.SizeBytes)
+                _jpeg = new byte[source.SizeBytes + source.SizeBytes / 4];
+            Span<byte> jpeg = _jpeg.AsSpan(0, source.SizeBytes);
+            if (!_recording.TryReadPayload(source, jpeg))
+                return "its payload cannot be read";
+            return _jpegDecoder(jpeg, target, source.DeviceTimeUs, out string problem) ? null : problem.Length > 0 ? problem : "its JPEG cannot be decoded";
+        }
+
+        private static PixelFormat PixelFormatOf(KinectImageFormat format)
+        {
+            switch (format)
+            {
+                case KinectImageFormat.Nv12: return PixelFormat.Nv12;
+                case KinectImageFormat.Yuy2: return PixelFormat.Yuy2;
+                case KinectImageFormat.Bgra32: return PixelFormat.Bgra32;
+                case KinectImageFormat.Depth16: return PixelFormat.Depth16;
+                case KinectImageFormat.Ir16: return PixelFormat.Infrared16;
+                default: return PixelFormat.None;
+            }
+        }
+    }
+}

@@ -1,0 +1,247 @@
+using System;
+using System.Buffers.Binary;
+
+namespace LaserTracking.Capture.Matroska
+{
+    /// <summary>
+    /// A place between two blocks of one track. Looks at the block before and the block behind it and steps over them; file order,
+    /// as recorders write it, is the order. Reads block heads only. The last 64 blocks passed are remembered, so that going back
+    /// does not walk a long cluster again for each block.
+    /// </summary>
+    internal sealed class BlockCursor
+    {
+        /// <summary>In place of a track number: blocks of every track.</summary>
+        public const long AnyTrack = -1;
+
+        private const int MaxRemembered = 64;
+
+        private readonly EbmlReader _reader;
+        private readonly ClusterMap _clusters;
+        private readonly ProblemLog _problems;
+        private readonly long _track;
+        private readonly long _timecodeScale;
+
+        private MatroskaBlock[]? _behind;
+        private int _behindTop;
+        private int _behindCount;
+        private bool _isAtStart;
+
+        private MatroskaCluster _cluster;
+        private long _gap;
+        private bool _hasCluster;
+
+        private MatroskaBlock _next;
+        private MatroskaCluster _nextCluster;
+        private bool _nextIsKnown;
+        private bool _hasNext;
+
+        public BlockCursor(EbmlReader reader, ClusterMap clusters, ProblemLog problems, long track, long timecodeScale)
+        {
+            _reader = reader;
+            _clusters = clusters;
+            _problems = problems;
+            _track = track;
+            _timecodeScale = timecodeScale;
+            SeekToStart();
+        }
+
+        public void SeekToStart()
+        {
+            _hasCluster = _clusters.TryFirst(out MatroskaCluster first);
+            Place(first);
+        }
+
+        /// <summary>Goes before the first block of a cluster.</summary>
+        public void PlaceAt(in MatroskaCluster cluster)
+        {
+            _hasCluster = true;
+            Place(cluster);
+        }
+
+        /// <summary>Goes before the first block whose time is not before the given one, searching from a cluster safely before it.</summary>
+        public void Seek(long timeNs)
+        {
+            _hasCluster = _clusters.TryFind(timeNs, out MatroskaCluster cluster);
+            Place(cluster);
+            while (TryPeekNext(out MatroskaBlock block) && block.TimeNs < timeNs)
+                MoveNext();
+        }
+
+        public bool TryPeekNext(out MatroskaBlock block)
+        {
+            if (!_nextIsKnown)
+            {
+                _hasNext = FindNext();
+                _nextIsKnown = true;
+            }
+
+            block = _next;
+            return _hasNext;
+        }
+
+        public bool TryPeekPrevious(out MatroskaBlock block)
+        {
+            if (_behindCount == 0 && !_isAtStart)
+            {
+                FindPrevious();
+                _isAtStart = _behindCount == 0;
+            }
+
+            block = _behind != null && _behindCount > 0 ? _behind[_behindTop] : default;
+            return _behindCount > 0;
+        }
+
+        /// <summary>Steps over the next block, if there is one.</summary>
+        public void MoveNext()
+        {
+            if (!TryPeekNext(out MatroskaBlock block))
+                return;
+            Remember(block);
+            _cluster = _nextCluster;
+            _gap = block.ElementEnd;
+            _nextIsKnown = false;
+        }
+
+        /// <summary>Steps back over the previous block, if there is one.</summary>
+        public void MovePrevious()
+        {
+            if (!TryPeekPrevious(out MatroskaBlock block))
+                return;
+            while (_cluster.Offset != block.ClusterOffset && _clusters.TryPrevious(_cluster, out MatroskaCluster previous))
+                _cluster = previous;
+            _gap = block.ElementOffset;
+            _behindTop = (_behindTop + MaxRemembered - 1) % MaxRemembered;
+            _behindCount--;
+            _next = block;
+            _nextCluster = _cluster;
+            _nextIsKnown = true;
+            _hasNext = true;
+        }
+
+        private void Place(in MatroskaCluster cluster)
+        {
+            _cluster = cluster;
+            if (_hasCluster)
+                _clusters.Verify(ref _cluster);
+            _gap = cluster.DataOffset;
+            _behindCount = 0;
+            _isAtStart = false;
+            _nextIsKnown = false;
+        }
+
+        private void Remember(in MatroskaBlock block)
+        {
+            _behindTop = (_behindTop + 1) % MaxRemembered;
+            (_behind ??= new MatroskaBlock[MaxRemembered])[_behindTop] = block;
+            _behindCount = Math.Min(_behindCount + 1, MaxRemembered);
+            _isAtStart = false;
+        }
+
+        private bool FindNext()
+        {
+            if (!_hasCluster)
+                return false;
+            _nextCluster = _cluster;
+            long position = _gap;
+            while (true)
+            {
+                while (position < _nextCluster.BlocksEnd
+                    && _reader.TryReadElement(position, _nextCluster.BlocksEnd, out EbmlElement element))
+                {
+                    if (TryReadBlock(_nextCluster, element, out _next))
+                        return true;
+                    position = element.End;
+                }
+
+                if (!_clusters.TryNext(_nextCluster, out MatroskaCluster next))
+                    return false;
+                _clusters.Verify(ref next);
+                _nextCluster = next;
+                position = next.DataOffset;
+            }
+        }
+
+        private void FindPrevious()
+        {
+            if (!_hasCluster)
+                return;
+            MatroskaCluster cluster = _cluster;
+            long end = _gap;
+            while (true)
+            {
+                long position = cluster.DataOffset;
+                while (position < end && _reader.TryReadElement(position, end, out EbmlElement element))
+                {
+                    if (TryReadBlock(cluster, element, out MatroskaBlock block))
+                        Remember(block);
+                    position = element.End;
+                }
+
+                if (_behindCount > 0 || !_clusters.TryPrevious(cluster, out MatroskaCluster previous))
+                    return;
+                _clusters.Verify(ref previous);
+                cluster = previous;
+                end = cluster.BlocksEnd;
+            }
+        }
+
+        /// <summary>True when the element is a block of this track.</summary>
+        private bool TryReadBlock(in MatroskaCluster cluster, in EbmlElement element, out MatroskaBlock block)
+        {
+            block = default;
+            EbmlElement body = element;
+            if (element.Id == MatroskaIds.BlockGroup)
+            {
+                var children = new EbmlChildren(_reader, element, cluster.BlocksEnd);
+                body = default;
+                while (children.MoveNext())
+                {
+                    EbmlElement child = children.Current;
+                    if (child.Id == MatroskaIds.Block && body.Id == 0)
+                        body = child;
+                    else if (child.Id == MatroskaIds.BlockDuration && _reader.TryReadUnsigned(child, out ulong duration)
+                        && duration <= (ulong)((1L << 56) / _timecodeScale))
+                        block.DurationNs = (long)duration * _timecodeScale;
+                }
+
+                if (children.IsDamaged && body.Id == 0)
+                    Report(element.Offset, "this block group is damaged and is lost");
+            }
+            else if (element.Id != MatroskaIds.SimpleBlock)
+            {
+                return false;
+            }
+
+            return body.Id != 0 && TryReadBlockHead(cluster, element, body, ref block);
+        }
+
+        private bool TryReadBlockHead(in MatroskaCluster cluster, in EbmlElement element, in EbmlElement body, ref MatroskaBlock block)
+        {
+            Span<byte> head = stackalloc byte[11];
+            head = head.Slice(0, _reader.Peek(body.DataOffset, head.Slice(0, (int)Math.Min(11, body.Size))));
+            if (!EbmlVarint.TryReadSize(head, out long track, out int length) || head.Length < length + 3 || body.Size > int.MaxValue)
+            {
+                Report(element.Offset, "this block's head is damaged; the block is lost");
+                return false;
+            }
+
+            if (track != _track && _track != AnyTrack)
+                return false;
+            block.ElementOffset = element.Offset;
+            block.ElementEnd = element.End;
+            block.ClusterOffset = cluster.Offset;
+            block.TimeNs = cluster.TimeNs + BinaryPrimitives.ReadInt16BigEndian(head.Slice(length)) * _timecodeScale;
+            block.Lacing = (BlockLacingKind)((head[length + 2] >> 1) & 3);
+            block.PayloadOffset = body.DataOffset + length + 3;
+            block.PayloadSize = (int)body.Size - length - 3;
+            block.IsSuspect = cluster.ChecksumMismatch;
+            return true;
+        }
+
+        private void Report(long offset, string what)
+        {
+            if (_problems.Accepts(offset))
+                _problems.Add(offset, what);
+        }
+    }
+}
