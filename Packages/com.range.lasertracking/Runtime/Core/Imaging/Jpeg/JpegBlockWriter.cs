@@ -11,42 +11,37 @@ namespace LaserTracking.Imaging
     /// </summary>
     internal static unsafe class JpegBlockWriter
     {
-        /// <summary>Blocks Y Y U V of 16×8 pixels to rows of Y0 U Y1 V.</summary>
-        public static void WriteYuy2(byte* blocks, byte* target, int stride)
+        /// <summary>Two blocks of luma side by side and one of each chroma, 16×8 pixels, to rows of Y0 U Y1 V.</summary>
+        public static void WriteYuy2(byte* luma, byte* u, byte* v, byte* target, int stride)
         {
 #if NET8_0_OR_GREATER
             if (Vector128.IsHardwareAccelerated)
             {
-                for (int y = 0; y < 8; y++, blocks += 8, target += stride)
+                for (int y = 0; y < 8; y++, luma += 8, u += 8, v += 8, target += stride)
                 {
-                    Vector128<byte> chroma = Interleave(blocks + 128, blocks + 192);
-                    Vector128<byte> luma = Vector128.Create(*(ulong*)blocks, *(ulong*)(blocks + 64)).AsByte();
-                    (Vector128.WidenLower(luma) | Vector128.ShiftLeft(Vector128.WidenLower(chroma), 8)).Store((ushort*)target);
-                    (Vector128.WidenUpper(luma) | Vector128.ShiftLeft(Vector128.WidenUpper(chroma), 8)).Store((ushort*)target + 8);
+                    Vector128<byte> uv = Interleave(u, v);
+                    Vector128<byte> row = Vector128.Create(*(ulong*)luma, *(ulong*)(luma + 64)).AsByte();
+                    (Vector128.WidenLower(row) | Vector128.ShiftLeft(Vector128.WidenLower(uv), 8)).Store((ushort*)target);
+                    (Vector128.WidenUpper(row) | Vector128.ShiftLeft(Vector128.WidenUpper(uv), 8)).Store((ushort*)target + 8);
                 }
 
                 return;
             }
 #endif
-            WriteYuy2Scalar(blocks, target, stride);
+            WriteYuy2Scalar(luma, u, v, target, stride);
         }
 
-        public static void WriteYuy2Scalar(byte* blocks, byte* target, int stride)
+        public static void WriteYuy2Scalar(byte* luma, byte* u, byte* v, byte* target, int stride)
         {
-            for (int y = 0; y < 8; y++, blocks += 8, target += stride)
+            for (int y = 0; y < 8; y++, luma += 8, u += 8, v += 8, target += stride)
             {
-                for (int x = 0; x < 4; x++)
+                for (int x = 0; x < 8; x++)
                 {
-                    byte* left = target + x * 4;
-                    left[0] = blocks[2 * x];
-                    left[1] = blocks[128 + x];
-                    left[2] = blocks[2 * x + 1];
-                    left[3] = blocks[192 + x];
-                    byte* right = left + 16;
-                    right[0] = blocks[64 + 2 * x];
-                    right[1] = blocks[128 + 4 + x];
-                    right[2] = blocks[64 + 2 * x + 1];
-                    right[3] = blocks[192 + 4 + x];
+                    byte* pair = luma + (x & 4) * 16 + 2 * (x & 3);
+                    target[4 * x] = pair[0];
+                    target[4 * x + 1] = u[x];
+                    target[4 * x + 2] = pair[1];
+                    target[4 * x + 3] = v[x];
                 }
             }
         }
@@ -97,19 +92,37 @@ namespace LaserTracking.Imaging
         /// <param name="height">Rows of the unit inside the picture.</param>
         public static void WriteBgra(JpegFrameHeader frame, byte* blocks, byte* target, int stride, int width, int height)
         {
-            for (int y = 0; y < height; y++, target += stride)
+            int* columns = stackalloc int[3 * 32];
+            byte** rows = stackalloc byte*[3];
+            for (int i = 0; i < 3; i++)
             {
                 for (int x = 0; x < width; x++)
                 {
-                    int c0 = Sample(frame, 0, blocks, x, y);
-                    int c1 = Sample(frame, 1, blocks, x, y);
-                    int c2 = Sample(frame, 2, blocks, x, y);
+                    int column = x * frame.Components[i].Horizontal / frame.MaxHorizontal;
+                    columns[i * 32 + x] = (column >> 3) * 64 + (column & 7);
+                }
+            }
+
+            for (int y = 0; y < height; y++, target += stride)
+            {
+                for (int i = 0; i < 3; i++)
+                {
+                    ref readonly JpegComponent component = ref frame.Components[i];
+                    int row = y * component.Vertical / frame.MaxVertical;
+                    rows[i] = blocks + 64 * (component.FirstBlock + (row >> 3) * component.Horizontal) + (row & 7) * 8;
+                }
+
+                for (int x = 0; x < width; x++)
+                {
+                    byte c0 = rows[0][columns[x]];
+                    byte c1 = rows[1][columns[32 + x]];
+                    byte c2 = rows[2][columns[64 + x]];
                     byte* pixel = target + x * 4;
                     if (frame.IsRgb)
                     {
-                        pixel[0] = (byte)c2;
-                        pixel[1] = (byte)c1;
-                        pixel[2] = (byte)c0;
+                        pixel[0] = c2;
+                        pixel[1] = c1;
+                        pixel[2] = c0;
                         pixel[3] = 255;
                     }
                     else
@@ -118,15 +131,6 @@ namespace LaserTracking.Imaging
                     }
                 }
             }
-        }
-
-        private static int Sample(JpegFrameHeader frame, int index, byte* blocks, int x, int y)
-        {
-            ref readonly JpegComponent component = ref frame.Components[index];
-            x = x * component.Horizontal / frame.MaxHorizontal;
-            y = y * component.Vertical / frame.MaxVertical;
-            int block = component.FirstBlock + (y >> 3) * component.Horizontal + (x >> 3);
-            return blocks[block * 64 + (y & 7) * 8 + (x & 7)];
         }
 
 #if NET8_0_OR_GREATER

@@ -65,15 +65,14 @@ namespace LaserTracking.Imaging
             if (_header.ComponentCount == 1)
                 return PixelFormat.Gray8;
             JpegComponent[] c = _header.Components;
-            bool plainChroma = c[1].Horizontal == 1 && c[1].Vertical == 1 && c[2].Horizontal == 1 && c[2].Vertical == 1;
-            if (plainChroma && !_header.IsRgb && c[0].Horizontal == 2 && _header.Width % 2 == 0)
-            {
-                if (c[0].Vertical == 1)
-                    return PixelFormat.Yuy2;
-                if (c[0].Vertical == 2 && _header.Height % 2 == 0)
-                    return PixelFormat.Nv12;
-            }
+            if (_header.IsRgb || c[0].Horizontal != 2 || c[1].Horizontal != 1 || c[2].Horizontal != 1 || _header.Width % 2 != 0)
+                return PixelFormat.Bgra32;
 
+            // Some encoders state 4:2:2 as 2×2, 1×2, 1×2: two units on top of each other.
+            if (c[0].Vertical <= 2 && c[1].Vertical == c[0].Vertical && c[2].Vertical == c[0].Vertical)
+                return PixelFormat.Yuy2;
+            if (c[0].Vertical == 2 && c[1].Vertical == 1 && c[2].Vertical == 1 && _header.Height % 2 == 0)
+                return PixelFormat.Nv12;
             return PixelFormat.Bgra32;
         }
 
@@ -206,13 +205,19 @@ namespace LaserTracking.Imaging
             int bytesPerPixel = target.Format == PixelFormat.Yuy2 ? 2 : 1;
             byte* corner = row + x * bytesPerPixel;
             byte* chroma = target.Pixels + (long)(target.Height + y / 2) * stride + x;
-            byte* scratch = stackalloc byte[16 * 16 + 8 * 16];
+            byte* scratch = stackalloc byte[16 * 16 * 2];
             byte* luma = whole ? corner : scratch;
             int lumaStride = whole ? stride : unitWidth * bytesPerPixel;
             switch (target.Format)
             {
                 case PixelFormat.Yuy2:
-                    JpegBlockWriter.WriteYuy2(samples, luma, lumaStride);
+                    for (int v = 0; v < _header.MaxVertical; v++)
+                    {
+                        byte* u = samples + 64 * (_header.Components[1].FirstBlock + v);
+                        JpegBlockWriter.WriteYuy2(
+                            samples + v * 128, u, u + 64 * _header.MaxVertical, luma + v * 8 * lumaStride, lumaStride);
+                    }
+
                     break;
                 case PixelFormat.Nv12:
                     JpegBlockWriter.WriteNv12(samples, luma, whole ? chroma : scratch + 256, lumaStride);
