@@ -47,7 +47,8 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.Strength < minStrength, RejectionReason.TooFaint, candidate.Strength, minStrength))
                 return;
             double elongation = candidate.LongSigma / candidate.ShortSigma;
-            if (Fails(ref candidate, elongation > _settings.MaxElongation, RejectionReason.TooElongated, elongation, _settings.MaxElongation))
+            double maxElongation = isLargest ? _settings.MaxFaintElongation : _settings.MaxElongation;
+            if (Fails(ref candidate, elongation > maxElongation, RejectionReason.TooElongated, elongation, maxElongation))
                 return;
             int seed = candidate.SeedY * view.Width + candidate.SeedX;
             double fresh = view.Change(seed, candidate.Plane) / (double)candidate.PeakRise;
@@ -71,10 +72,13 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.RingLevel > maxLevel, RejectionReason.NotIsolated, candidate.RingLevel, maxLevel))
                 return;
             candidate.MotionShare = SurroundingsMeasurer.MotionShare(view, candidate, (int)(_settings.MotionRadiusPx * Scale), Noise);
-            if (Fails(ref candidate, candidate.MotionShare > _settings.MaxMotionShare, RejectionReason.MovingSurroundings, candidate.MotionShare, _settings.MaxMotionShare))
+            double maxMotion = isLargest ? _settings.ConclusiveMotionShare : _settings.MaxMotionShare;
+            if (Fails(ref candidate, candidate.MotionShare > maxMotion, RejectionReason.MovingSurroundings, candidate.MotionShare, maxMotion))
                 return;
             candidate.IsConclusive = !isLargest && rise >= _settings.ConclusiveRise && candidate.RingShare <= _settings.ConclusiveRingShare
-                && candidate.MotionShare <= _settings.ConclusiveMotionShare;
+                && candidate.RingLevel <= _settings.ConclusiveRingLevel && candidate.MotionShare <= _settings.ConclusiveMotionShare
+                && elongation <= _settings.ConclusiveElongation
+                && (candidate.Area <= _settings.ConclusiveAreaPx * area || candidate.Freshness >= _settings.VividFreshness);
         }
 
         private static bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit)

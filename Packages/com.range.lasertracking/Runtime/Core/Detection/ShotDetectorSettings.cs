@@ -39,6 +39,15 @@ namespace LaserTracking.Detection
         /// <summary>Largest length through width, 1…100.</summary>
         public double MaxElongation { get; set; } = 12;
 
+        /// <summary>The same for a candidate that only the largest channel shows: faint streaks look like moving edges.</summary>
+        public double MaxFaintElongation { get; set; } = 2.5;
+
+        /// <summary>The same where one frame is to suffice.</summary>
+        public double ConclusiveElongation { get; set; } = 4.5;
+
+        /// <summary>Largest area where one frame is to suffice and the candidate is not vivid, px² at 640, 1…100000.</summary>
+        public double ConclusiveAreaPx { get; set; } = 150;
+
         /// <summary>Largest share of the ring around the dot that rose at least half as far, 0…1; for a dot that has to wait.</summary>
         public double MaxRingShare { get; set; } = 0.04;
 
@@ -47,6 +56,9 @@ namespace LaserTracking.Detection
 
         /// <summary>Largest relative rise of the upper tenth of the ring, through the dot's own, 0…1.</summary>
         public double MaxRingLevel { get; set; } = 0.25;
+
+        /// <summary>The same where one frame is to suffice.</summary>
+        public double ConclusiveRingLevel { get; set; } = 0.15;
 
         /// <summary>The same for a vivid candidate: a strong halo is part of a laser dot.</summary>
         public double MaxVividRingLevel { get; set; } = 0.5;
@@ -97,6 +109,10 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MaxAreaPx), MaxAreaPx, 1, 100000);
             SettingCheck.InRange(nameof(MinCompactness), MinCompactness, 0, 1);
             SettingCheck.InRange(nameof(MaxElongation), MaxElongation, 1, 100);
+            SettingCheck.InRange(nameof(MaxFaintElongation), MaxFaintElongation, 1, 100);
+            SettingCheck.InRange(nameof(ConclusiveElongation), ConclusiveElongation, 1, 100);
+            SettingCheck.InRange(nameof(ConclusiveAreaPx), ConclusiveAreaPx, 1, 100000);
+            SettingCheck.InRange(nameof(ConclusiveRingLevel), ConclusiveRingLevel, 0, 1);
             SettingCheck.InRange(nameof(MaxRingShare), MaxRingShare, 0, 1);
             SettingCheck.InRange(nameof(ConclusiveRingShare), ConclusiveRingShare, 0, 1);
             SettingCheck.InRange(nameof(MaxRingLevel), MaxRingLevel, 0, 1);
