@@ -35,6 +35,15 @@ namespace LaserTracking.Detection
         /// <summary>Share of the ring around the area that rose at least half as far.</summary>
         public double RingShare;
 
+        /// <summary>Relative rise that a tenth of the ring exceeds, through the candidate's own: diffuse changes have no quiet ring.</summary>
+        public double RingLevel;
+
+        /// <summary>The stronger of the red and green rises since the last frame, per pixel of area, through the peak relative rise.</summary>
+        public double Freshness;
+
+        /// <summary>Recent ordinary onset of the tile, levels.</summary>
+        public double Activity;
+
         /// <summary>Share of the surroundings that changed since the last frame by a sixth of the rise.</summary>
         public double MotionShare;
 
@@ -44,6 +53,12 @@ namespace LaserTracking.Detection
         /// <summary>Red and green rises as shares of their headrooms, summed over the dot and its rim.</summary>
         public double RedRise;
         public double GreenRise;
+
+        /// <summary>How much of all red-green difference points one way: +1 all green, -1 all red, 0 as much of either.</summary>
+        public double GreenCoherence;
+
+        /// <summary>Rise times the root of the area, levels·px: what the eye integrates.</summary>
+        public double Strength;
 
         public bool IsConclusive;
 

@@ -42,11 +42,17 @@ namespace LaserTracking.Detection
                 || Fails(ref candidate, candidate.Area < _settings.MinAreaPx * area, RejectionReason.TooSmall, candidate.Area / area, _settings.MinAreaPx)
                 || Fails(ref candidate, candidate.Compactness < _settings.MinCompactness, RejectionReason.NotCompact, candidate.Compactness, _settings.MinCompactness))
                 return;
+            candidate.Strength = candidate.PeakRise * Math.Sqrt(candidate.Area / area);
+            double minStrength = _settings.MinStrength + _settings.StrengthPerActivity * candidate.Activity;
+            if (Fails(ref candidate, candidate.Strength < minStrength, RejectionReason.TooFaint, candidate.Strength, minStrength))
+                return;
             double elongation = candidate.LongSigma / candidate.ShortSigma;
-            if (Fails(ref candidate, elongation > _settings.MaxElongation, RejectionReason.TooElongated, elongation, _settings.MaxElongation))
+            double maxElongation = isLargest ? _settings.MaxFaintElongation : _settings.MaxElongation;
+            if (Fails(ref candidate, elongation > maxElongation, RejectionReason.TooElongated, elongation, maxElongation))
                 return;
             int seed = candidate.SeedY * view.Width + candidate.SeedX;
-            candidate.IsOnset = 2 * view.Change(seed, candidate.Plane) >= candidate.PeakRise;
+            double fresh = view.Change(seed, candidate.Plane) / (double)candidate.PeakRise;
+            candidate.IsOnset = fresh >= 0.5;
             SurroundingsMeasurer.ColorRise(view, ref candidate);
             if (!candidate.IsOnset && memory.TryFind(candidate, out known))
             {
@@ -55,14 +61,24 @@ namespace LaserTracking.Detection
                 return;
             }
 
-            candidate.RingShare = SurroundingsMeasurer.RingShare(view, candidate);
+            if (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, fresh, 0.5))
+                return;
+            if (Fails(ref candidate, candidate.Freshness < 0.5, RejectionReason.NotNew, candidate.Freshness, 0.5))
+                return;
+            SurroundingsMeasurer.Ring(view, ref candidate);
             if (Fails(ref candidate, candidate.RingShare > _settings.MaxRingShare, RejectionReason.NotIsolated, candidate.RingShare, _settings.MaxRingShare))
                 return;
+            double maxLevel = candidate.Freshness >= _settings.VividFreshness ? _settings.MaxVividRingLevel : _settings.MaxRingLevel;
+            if (Fails(ref candidate, candidate.RingLevel > maxLevel, RejectionReason.NotIsolated, candidate.RingLevel, maxLevel))
+                return;
             candidate.MotionShare = SurroundingsMeasurer.MotionShare(view, candidate, (int)(_settings.MotionRadiusPx * Scale), Noise);
-            if (Fails(ref candidate, candidate.MotionShare > _settings.MaxMotionShare, RejectionReason.MovingSurroundings, candidate.MotionShare, _settings.MaxMotionShare))
+            double maxMotion = isLargest ? _settings.ConclusiveMotionShare : _settings.MaxMotionShare;
+            if (Fails(ref candidate, candidate.MotionShare > maxMotion, RejectionReason.MovingSurroundings, candidate.MotionShare, maxMotion))
                 return;
             candidate.IsConclusive = !isLargest && rise >= _settings.ConclusiveRise && candidate.RingShare <= _settings.ConclusiveRingShare
-                && candidate.MotionShare <= _settings.ConclusiveMotionShare;
+                && candidate.RingLevel <= _settings.ConclusiveRingLevel && candidate.MotionShare <= _settings.ConclusiveMotionShare
+                && elongation <= _settings.ConclusiveElongation
+                && (candidate.Area <= _settings.ConclusiveAreaPx * area || candidate.Freshness >= _settings.VividFreshness);
         }
 
         private static bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit)

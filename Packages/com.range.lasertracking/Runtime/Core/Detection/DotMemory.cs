@@ -13,7 +13,15 @@ namespace LaserTracking.Detection
         public bool IsConclusive;
         public LaserColor Color;
 
-        public bool Overlaps(in Candidate c) => c.Left <= Right && c.Right >= Left && c.Top <= Bottom && c.Bottom >= Top;
+        public int PeakRelativeRise;
+        public int Area;
+
+        /// <summary>Found again in the frame being processed.</summary>
+        public bool IsContinued;
+
+        /// <summary>It lies in the same place and is not a mere remainder of it.</summary>
+        public bool GoesOnAs(in Candidate c) => c.CenterX <= Right && c.CenterX >= Left && c.CenterY <= Bottom && c.CenterY >= Top
+            && 2 * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= 3 * Area;
     }
 
     /// <summary>
@@ -35,14 +43,31 @@ namespace LaserTracking.Detection
         {
             for (int i = 0; i < _lastCount; i++)
             {
-                if (_last[i].Overlaps(candidate))
+                if (!_last[i].IsContinued && _last[i].GoesOnAs(candidate))
                 {
                     dot = _last[i];
+                    _last[i].IsContinued = true;
                     return true;
                 }
             }
 
             dot = default;
+            return false;
+        }
+
+        /// <summary>True beside a dot already found in this frame, within one and a half of its size and a little: part of its halo.</summary>
+        public bool IsHaloOf(in Candidate candidate, out double distance, out double reach)
+        {
+            distance = reach = 0;
+            for (int i = 0; i < _nowCount; i++)
+            {
+                double dx = candidate.CenterX - 0.5 * (_now[i].Left + _now[i].Right), dy = candidate.CenterY - 0.5 * (_now[i].Top + _now[i].Bottom);
+                distance = Math.Sqrt(dx * dx + dy * dy);
+                reach = 4 + 0.75 * Math.Max(_now[i].Right - _now[i].Left, _now[i].Bottom - _now[i].Top);
+                if (distance < reach)
+                    return true;
+            }
+
             return false;
         }
 

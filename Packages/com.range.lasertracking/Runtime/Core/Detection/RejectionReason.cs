@@ -43,5 +43,8 @@ namespace LaserTracking.Detection
 
         /// <summary>Belongs to a dot that was reported already. Value: distance to it, px.</summary>
         Duplicate,
+
+        /// <summary>Was there in the frame before already, and no dot. Value: share of its rise that came with this frame.</summary>
+        NotNew,
     }
 }

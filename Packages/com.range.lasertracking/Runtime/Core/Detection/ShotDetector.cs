@@ -23,6 +23,8 @@ namespace LaserTracking.Detection
         private readonly ScreenMask _mask = new ScreenMask();
         private readonly int[] _reciprocal = new int[256];
         private readonly Candidate[] _candidates;
+        private readonly Candidate[] _seeds;
+        private readonly int[] _seedOrder;
         private int _candidateCount;
 
         /// <param name="settings">Defaults when absent. Copied.</param>
@@ -33,6 +35,8 @@ namespace LaserTracking.Detection
             _settings.Validate();
             _judge = new CandidateJudge(_settings, _blobs);
             _candidates = new Candidate[4 * _settings.MaxCandidates];
+            _seeds = new Candidate[_settings.MaxCandidates];
+            _seedOrder = new int[_settings.MaxCandidates];
             for (int headroom = 0; headroom < 256; headroom++)
                 _reciprocal[headroom] = 255 * 256 / (headroom + 8);
         }
@@ -56,7 +60,13 @@ namespace LaserTracking.Detection
             if (_planes.Fit(image, _settings.FullSizeMaxWidthPx))
                 Restart();
             _planes.Update(image, _settings.EnvelopeDecay, _settings.UseVectors);
-            if (_planes.FrameCount < 2)
+            if (_planes.FrameCount == 2)
+            {
+                _planes.SmallestTiles.LearnAtOnce();
+                _planes.LargestTiles.LearnAtOnce();
+            }
+
+            if (_planes.FrameCount < 3)
                 return;
             fixed (uint* now = _planes.Now, before = _planes.Before)
             fixed (byte* oldMin = _planes.OldSmallest, newMin = _planes.NewSmallest, oldMax = _planes.OldLargest, newMax = _planes.NewLargest)
@@ -103,17 +113,30 @@ namespace LaserTracking.Detection
 
         private void SearchPlane(Image image, in FrameView view, DetectionPlane plane, TileGrid tiles, Detections detections)
         {
+            // Two rounds: a tile may hold two dots. The highest rise goes first, or a faint neighbour would grow into it and take it along.
             _blobs.Begin();
-            foreach (int tile in tiles.FindHot(GateFloor, _settings.MaxCandidates))
+            ReadOnlySpan<int> hot = tiles.FindHot(GateFloor, _settings.MaxCandidates);
+            for (int round = 0; round < 2; round++)
             {
-                for (int round = 0; round < 2; round++)
+                int seeds = 0;
+                foreach (int tile in hot)
                 {
-                    if (_candidateCount == _candidates.Length || !TrySeed(view, plane, tile % tiles.Columns, tile / tiles.Columns, out Candidate candidate))
-                        break;
+                    if (!TrySeed(view, plane, tile % tiles.Columns, tile / tiles.Columns, out Candidate candidate))
+                        continue;
+                    candidate.Activity = tiles.Activity(tile);
+                    _seeds[seeds] = candidate;
+                    _seedOrder[seeds] = seeds - (candidate.PeakRelativeRise << 16);
+                    seeds++;
+                }
+
+                Array.Sort(_seedOrder, 0, seeds);
+                for (int i = 0; i < seeds && _candidateCount < _candidates.Length; i++)
+                {
+                    ref Candidate candidate = ref _seeds[_seedOrder[i] & 0xFFFF];
+                    if (_blobs.IsTaken(candidate.SeedY * view.Width + candidate.SeedX) || _memory.IsLit(candidate.SeedX, candidate.SeedY))
+                        continue;
                     Examine(image, view, ref candidate, detections);
                     _candidates[_candidateCount++] = candidate;
-                    if (candidate.Reason == RejectionReason.TooFaint)
-                        break;
                 }
             }
         }
@@ -162,6 +185,14 @@ namespace LaserTracking.Detection
                 }
             }
 
+            double near = 0, reach = 0;
+            if (candidate.Reason == RejectionReason.None && _memory.IsHaloOf(candidate, out near, out reach))
+            {
+                candidate.Reason = RejectionReason.Duplicate;
+                candidate.Value = near * factor;
+                candidate.Limit = reach * factor;
+            }
+
             if (candidate.Reason != RejectionReason.None)
             {
                 detections.Reject(new RejectedCandidate { PositionPx = position, Reason = candidate.Reason, Value = candidate.Value, Limit = candidate.Limit });
@@ -179,12 +210,9 @@ namespace LaserTracking.Detection
 
         private LaserColor ColorOf(in Candidate candidate)
         {
-            double red = candidate.RedRise, green = candidate.GreenRise;
-            if (green > 0 && green > red * _settings.ColorRatio)
+            if (candidate.GreenCoherence >= _settings.ColorCoherence && candidate.GreenRise > 0)
                 return LaserColor.Green;
-            if (red > 0 && red > green * _settings.ColorRatio)
-                return LaserColor.Red;
-            return LaserColor.Unknown;
+            return candidate.GreenCoherence <= -_settings.ColorCoherence && candidate.RedRise > 0 ? LaserColor.Red : LaserColor.Unknown;
         }
 
         private ConfidenceFactors Factors(in Candidate candidate, Vector2D positionPx, Image image)
@@ -199,7 +227,7 @@ namespace LaserTracking.Detection
 
         private void Remember(in Candidate candidate, LaserColor color, in RememberedDot known)
         {
-            int margin = 3 + Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top);
+            int margin = 2 + (Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top) + 1) / 2;
             _memory.Add(new RememberedDot
             {
                 Left = candidate.Left - margin,
@@ -209,6 +237,8 @@ namespace LaserTracking.Detection
                 Frames = candidate.IsOnset ? 1 : known.Frames + 1,
                 IsConclusive = candidate.IsConclusive,
                 Color = color,
+                PeakRelativeRise = candidate.PeakRelativeRise,
+                Area = candidate.Area,
             });
         }
 

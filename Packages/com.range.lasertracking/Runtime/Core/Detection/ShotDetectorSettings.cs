@@ -39,14 +39,38 @@ namespace LaserTracking.Detection
         /// <summary>Largest length through width, 1…100.</summary>
         public double MaxElongation { get; set; } = 12;
 
-        /// <summary>Largest share of the ring around the dot that rose at least half as far, 0…1; for a dot that has to wait.</summary>
-        public double MaxRingShare { get; set; } = 0.15;
+        /// <summary>The same for a candidate that only the largest channel shows: faint streaks look like moving edges.</summary>
+        public double MaxFaintElongation { get; set; } = 2.5;
 
         /// <summary>The same where one frame is to suffice.</summary>
-        public double ConclusiveRingShare { get; set; } = 0.05;
+        public double ConclusiveElongation { get; set; } = 4.5;
+
+        /// <summary>Largest area where one frame is to suffice and the candidate is not vivid, px² at 640, 1…100000.</summary>
+        public double ConclusiveAreaPx { get; set; } = 150;
+
+        /// <summary>Largest share of the ring around the dot that rose at least half as far, 0…1; for a dot that has to wait.</summary>
+        public double MaxRingShare { get; set; } = 0.04;
+
+        /// <summary>The same where one frame is to suffice.</summary>
+        public double ConclusiveRingShare { get; set; } = 0.02;
+
+        /// <summary>Largest relative rise of the upper tenth of the ring, through the dot's own, 0…1.</summary>
+        public double MaxRingLevel { get; set; } = 0.25;
+
+        /// <summary>The same where one frame is to suffice.</summary>
+        public double ConclusiveRingLevel { get; set; } = 0.15;
+
+        /// <summary>The same for a vivid candidate: a strong halo is part of a laser dot.</summary>
+        public double MaxVividRingLevel { get; set; } = 0.5;
+
+        /// <summary>
+        /// Rise of the stronger of red and green per pixel of the dot, through the peak rise, from which a candidate is vivid, 0…100.
+        /// Grey things that brighten reach one.
+        /// </summary>
+        public double VividFreshness { get; set; } = 1.5;
 
         /// <summary>Largest share of the surroundings that changed since the last frame, 0…1; for a dot that has to wait.</summary>
-        public double MaxMotionShare { get; set; } = 0.12;
+        public double MaxMotionShare { get; set; } = 0.06;
 
         /// <summary>The same where one frame is to suffice.</summary>
         public double ConclusiveMotionShare { get; set; } = 0.035;
@@ -54,8 +78,14 @@ namespace LaserTracking.Detection
         /// <summary>Radius of the surroundings that must be at rest, px at 640, 4…320.</summary>
         public double MotionRadiusPx { get; set; } = 40;
 
-        /// <summary>Least ratio of the stronger to the weaker of the red and green rises for a colour to be named, 1…10.</summary>
-        public double ColorRatio { get; set; } = 1.1;
+        /// <summary>Share of the red-green differences over the dot that must point one way for a colour to be named, 0…1.</summary>
+        public double ColorCoherence { get; set; } = 0.2;
+
+        /// <summary>Least strength (rise times root of area) of a candidate, levels·px at 640, 0…10000.</summary>
+        public double MinStrength { get; set; } = 60;
+
+        /// <summary>What each level of the tile's ordinary activity adds to the least strength, px at 640, 0…1000.</summary>
+        public double StrengthPerActivity { get; set; } = 20;
 
         /// <summary>Frames that a dot which is not conclusive may stay on before it is taken for scenery, 1…60.</summary>
         public int MaxWaitFrames { get; set; } = 5;
@@ -79,12 +109,21 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MaxAreaPx), MaxAreaPx, 1, 100000);
             SettingCheck.InRange(nameof(MinCompactness), MinCompactness, 0, 1);
             SettingCheck.InRange(nameof(MaxElongation), MaxElongation, 1, 100);
+            SettingCheck.InRange(nameof(MaxFaintElongation), MaxFaintElongation, 1, 100);
+            SettingCheck.InRange(nameof(ConclusiveElongation), ConclusiveElongation, 1, 100);
+            SettingCheck.InRange(nameof(ConclusiveAreaPx), ConclusiveAreaPx, 1, 100000);
+            SettingCheck.InRange(nameof(ConclusiveRingLevel), ConclusiveRingLevel, 0, 1);
             SettingCheck.InRange(nameof(MaxRingShare), MaxRingShare, 0, 1);
             SettingCheck.InRange(nameof(ConclusiveRingShare), ConclusiveRingShare, 0, 1);
+            SettingCheck.InRange(nameof(MaxRingLevel), MaxRingLevel, 0, 1);
+            SettingCheck.InRange(nameof(MaxVividRingLevel), MaxVividRingLevel, 0, 1);
+            SettingCheck.InRange(nameof(VividFreshness), VividFreshness, 0, 100);
             SettingCheck.InRange(nameof(MaxMotionShare), MaxMotionShare, 0, 1);
             SettingCheck.InRange(nameof(ConclusiveMotionShare), ConclusiveMotionShare, 0, 1);
             SettingCheck.InRange(nameof(MotionRadiusPx), MotionRadiusPx, 4, 320);
-            SettingCheck.InRange(nameof(ColorRatio), ColorRatio, 1, 10);
+            SettingCheck.InRange(nameof(ColorCoherence), ColorCoherence, 0, 1);
+            SettingCheck.InRange(nameof(MinStrength), MinStrength, 0, 10000);
+            SettingCheck.InRange(nameof(StrengthPerActivity), StrengthPerActivity, 0, 1000);
             SettingCheck.InRange(nameof(MaxWaitFrames), MaxWaitFrames, 1, 60);
             SettingCheck.InRange(nameof(MaxCandidates), MaxCandidates, 1, 4096);
         }

@@ -6,8 +6,11 @@ namespace LaserTracking.Detection
     internal static unsafe class SurroundingsMeasurer
     {
         /// <summary>Share of the ring around the box in which the rise is at least half the candidate's own.</summary>
-        public static double RingShare(in FrameView view, in Candidate candidate)
+        public static void Ring(in FrameView view, ref Candidate candidate)
         {
+            int* histogram = stackalloc int[256];
+            for (int i = 0; i < 256; i++)
+                histogram[i] = 0;
             int size = Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top) + 1;
             int inner = Math.Max(3, size / 2), outer = inner + Math.Max(6, size / 2);
             int threshold = Math.Max(1, (candidate.PeakRelativeRise + 1) / 2);
@@ -26,19 +29,32 @@ namespace LaserTracking.Detection
                     }
 
                     count++;
-                    if (view.RelativeRise(y * view.Width + x, candidate.Plane) >= threshold)
+                    int rise = view.RelativeRise(y * view.Width + x, candidate.Plane);
+                    histogram[rise]++;
+                    if (rise >= threshold)
                         risen++;
                 }
             }
 
-            return count == 0 ? 0 : (double)risen / count;
+            if (count == 0)
+                return;
+            candidate.RingShare = (double)risen / count;
+            int level = 255;
+            for (int above = 0; level > 0; level--)
+            {
+                above += histogram[level];
+                if (10 * above > count)
+                    break;
+            }
+
+            candidate.RingLevel = level / (double)candidate.PeakRelativeRise;
         }
 
         /// <summary>Share of every second pixel of every second row within the radius, the dot and its halo left out, that changed.</summary>
         public static double MotionShare(in FrameView view, in Candidate candidate, int radius, double noise)
         {
             int size = Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top) + 1;
-            int inner = Math.Max(4, size);
+            int inner = Math.Max(4, size / 2);
             int threshold = Math.Max(candidate.PeakRise / 6, (int)(4 * noise) + 2);
             int x0 = Math.Max(0, candidate.Left - radius), x1 = Math.Min(view.Width - 1, candidate.Right + radius);
             int y0 = Math.Max(0, candidate.Top - radius), y1 = Math.Min(view.Height - 1, candidate.Bottom + radius);
@@ -69,19 +85,24 @@ namespace LaserTracking.Detection
             int marginX = 1 + (candidate.Right - candidate.Left + 1) * 3 / 10, marginY = 1 + (candidate.Bottom - candidate.Top + 1) * 3 / 10;
             int x0 = Math.Max(0, candidate.Left - marginX), x1 = Math.Min(view.Width - 1, candidate.Right + marginX);
             int y0 = Math.Max(0, candidate.Top - marginY), y1 = Math.Min(view.Height - 1, candidate.Bottom + marginY);
-            double red = 0, green = 0;
+            double red = 0, green = 0, either = 0;
             for (int y = y0; y <= y1; y++)
             {
                 for (int x = x0; x <= x1; x++)
                 {
                     uint now = view.Now[y * view.Width + x], before = view.Before[y * view.Width + x];
-                    green += Share((int)(now >> 8 & 255), (int)(before >> 8 & 255));
-                    red += Share((int)(now >> 16 & 255), (int)(before >> 16 & 255));
+                    double greenShare = Share((int)(now >> 8 & 255), (int)(before >> 8 & 255));
+                    double redShare = Share((int)(now >> 16 & 255), (int)(before >> 16 & 255));
+                    green += greenShare;
+                    red += redShare;
+                    either += Math.Abs(greenShare - redShare);
                 }
             }
 
             candidate.RedRise = red;
             candidate.GreenRise = green;
+            candidate.GreenCoherence = either > 0 ? (green - red) / either : 0;
+            candidate.Freshness = Math.Max(red, green) * 255 / ((double)candidate.Area * candidate.PeakRelativeRise);
         }
 
         private static double Share(int now, int before) => (now - before) / (double)(255 - before + 8);

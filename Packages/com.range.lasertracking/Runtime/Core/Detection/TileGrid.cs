@@ -23,7 +23,7 @@ namespace LaserTracking.Detection
         /// <summary>Tiles above their threshold in this frame, also those beyond the limit.</summary>
         public int HotCount { get; private set; }
 
-        public byte[] Onsets => _onsets;
+        public double Activity(int tile) => _activity[tile];
 
         public void Resize(int width, int height)
         {
@@ -93,6 +93,13 @@ namespace LaserTracking.Detection
                 for (int x = Math.Max(0, left / Size); x <= Math.Min(Columns - 1, right / Size); x++)
                     _isExempt[y * Columns + x] = true;
             }
+        }
+
+        /// <summary>Takes this frame's onsets for the ordinary: the first look at what the picture does by itself.</summary>
+        public void LearnAtOnce()
+        {
+            for (int i = 0; i < _onsets.Length; i++)
+                _activity[i] = _onsets[i];
         }
 
         /// <summary>Lets the activity follow this frame's onsets.</summary>

@@ -247,7 +247,13 @@ namespace LaserTracking.Tracking
         {
             double nearest = double.PositiveInfinity;
             foreach (RejectedCandidate candidate in detections.Rejected)
-                nearest = Math.Min(nearest, (candidate.PositionPx - at).Length);
+            {
+                // What grows dimmer is on its way out, and what is too faint is nothing.
+                bool isFading = candidate.Reason == RejectionReason.NotNew && candidate.Value < -0.2;
+                if (!isFading && candidate.Reason != RejectionReason.TooFaint)
+                    nearest = Math.Min(nearest, (candidate.PositionPx - at).Length);
+            }
+
             return nearest;
         }
 
