@@ -1,0 +1,5 @@
+// Test code, never shipped: part of an executable stand-in for Unity's engine, see Tests/UnityStandIn/README.md.
+namespace UnityEngine.Events
+{
+    public delegate void UnityAction<T0>(T0 arg0);
+}

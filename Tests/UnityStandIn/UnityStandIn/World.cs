@@ -1,0 +1,54 @@
+// Test code, never shipped: part of an executable stand-in for Unity's engine, see Tests/UnityStandIn/README.md.
+using System.Collections.Generic;
+using System.Linq;
+using UnityEngine;
+
+namespace UnityStandIn
+{
+    /// <summary>Everything that exists in the one scene of the stand-in, in order of creation.</summary>
+    internal static class World
+    {
+        private static readonly List<GameObject> GameObjects = new List<GameObject>();
+        private static readonly List<Component> Components = new List<Component>();
+        private static readonly List<Object> Doomed = new List<Object>();
+
+        public static void Add(GameObject created) => GameObjects.Add(created);
+
+        public static void Add(Component created) => Components.Add(created);
+
+        public static void Remove(GameObject destroyed) => GameObjects.Remove(destroyed);
+
+        /// <summary>A copy: whoever walks over it may create and destroy.</summary>
+        public static List<T> All<T>() where T : Component
+        {
+            Components.RemoveAll(component => component == null);
+            return Components.OfType<T>().ToList();
+        }
+
+        public static void DestroyLater(Object doomed) => Doomed.Add(doomed);
+
+        public static void DestroyDoomed()
+        {
+            Object[] now = Doomed.ToArray();
+            Doomed.Clear();
+            foreach (Object doomed in now)
+            {
+                if (doomed != null)
+                    doomed.DestroyNow();
+            }
+        }
+
+        public static void Clear()
+        {
+            foreach (GameObject existing in GameObjects.ToArray())
+            {
+                if (existing != null)
+                    existing.DestroyNow();
+            }
+
+            GameObjects.Clear();
+            Components.Clear();
+            Doomed.Clear();
+        }
+    }
+}
