@@ -17,8 +17,14 @@ namespace LaserTracking.Hands
         /// <summary>Unit vector from the forearm through the palm; zero when unknown.</summary>
         public Vector3D AimDirection;
 
-        /// <summary>Standard deviation of palm and muzzle along one axis.</summary>
+        /// <summary>Standard deviation of the palm along one axis.</summary>
         public double SigmaMm;
+
+        /// <summary>Standard deviation of the muzzle along one axis.</summary>
+        public double MuzzleSigmaMm;
+
+        /// <summary>Standard deviation of <see cref="AimDirection"/> about one axis, radians; means nothing when that is zero.</summary>
+        public double AimSigmaRad;
 
         public DepthSource DepthSource;
     }

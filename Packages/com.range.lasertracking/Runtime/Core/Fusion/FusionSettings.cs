@@ -1,0 +1,88 @@
+using System;
+
+namespace LaserTracking.Fusion
+{
+    /// <summary>Settings of <see cref="ShooterAssignment"/> and <see cref="HandHistory"/>.</summary>
+    public sealed class FusionSettings
+    {
+        public FusionMode Mode { get; set; } = FusionMode.Assigned;
+
+        /// <summary>Largest distance in time between a shot and a hand, microseconds. Published: 1.0 s.</summary>
+        public long WindowUs { get; set; } = 1_000_000;
+
+        /// <summary>
+        /// Two sightings of a hand farther apart than this are not interpolated between; the nearer is taken as it is. 250 ms: a
+        /// hand can go and come back in more.
+        /// </summary>
+        public long MaxInterpolationUs { get; set; } = 250_000;
+
+        /// <summary>Added to every hand's time: camera 1's clock to camera 0's.</summary>
+        public long HandClockOffsetUs { get; set; }
+
+        /// <summary>ε of d̂ = v / (|v| + ε), metres. Published without a value; only keeps the division from failing.</summary>
+        public double EpsilonM { get; set; } = 1e-9;
+
+        /// <summary>Standard deviation between forearm and barrel about one axis, radians: the wrist bends by about 8°.</summary>
+        public double WristSigmaRad { get; set; } = 0.14;
+
+        /// <summary>Growth of the aim's standard deviation with the distance in time to the nearest sighting, radians a second.</summary>
+        public double AimDriftRadPerS { get; set; } = 0.6;
+
+        /// <summary>Growth of the muzzle's standard deviation with the same, metres a second.</summary>
+        public double MuzzleDriftMPerS { get; set; } = 0.5;
+
+        /// <summary>Share of shots whose line has nothing to do with the arm seen (a bent wrist, a wrong arm): spread over all directions.</summary>
+        public double OutlierShare { get; set; } = 0.02;
+
+        /// <summary>Probability, before anything is seen, that a shot came from none of the hands in sight.</summary>
+        public double NobodyPrior { get; set; } = 0.05;
+
+        /// <summary>Over which a shot from nobody in sight is spread evenly, m². The published screen has 8.4.</summary>
+        public double ScreenAreaM2 { get; set; } = 8.4;
+
+        /// <summary>Probability that a shooter's next dot shows their usual colour.</summary>
+        public double ColorKeptProbability { get; set; } = 0.97;
+
+        /// <summary>Below this probability the shooter is unknown.</summary>
+        public double MinProbability { get; set; } = 0.8;
+
+        /// <summary>A muzzle that far from a shooter's last one, when their own hand is no longer seen, is theirs again. Metres.</summary>
+        public double RelinkM { get; set; } = 0.35;
+
+        /// <summary>For how long a shooter is remembered at their last place, microseconds.</summary>
+        public long RelinkUs { get; set; } = 20_000_000;
+
+        /// <summary>Two tracks that close to each other while both are seen hold one weapon. Below half the 0.4 m between neighbours.</summary>
+        public double SameWeaponM { get; set; } = 0.18;
+
+        /// <summary>Shots of one frame that are examined together; further ones go to nobody.</summary>
+        public int MaxShots { get; set; } = 16;
+
+        /// <summary>Hands that are considered for one shot.</summary>
+        public int MaxHands { get; set; } = 16;
+
+        /// <summary>Sightings kept, over all hands: 2 s of 12 hands at 30 frames/s, and some.</summary>
+        public int HistoryLength { get; set; } = 1024;
+
+        /// <exception cref="ArgumentException">A value is outside its range.</exception>
+        public void Validate()
+        {
+            Check(WindowUs >= 0 && MaxInterpolationUs >= 0 && RelinkUs >= 0, "times not negative");
+            Check(EpsilonM >= 0 && RelinkM >= 0 && SameWeaponM >= 0, "lengths not negative");
+            Check(WristSigmaRad > 0 && AimDriftRadPerS >= 0 && MuzzleDriftMPerS >= 0, "WristSigmaRad above zero, drifts not negative");
+            Check(OutlierShare >= 0 && OutlierShare < 1, "OutlierShare at least 0, below 1");
+            Check(NobodyPrior > 0 && NobodyPrior < 1, "NobodyPrior between 0 and 1");
+            Check(ScreenAreaM2 > 0, "ScreenAreaM2 above zero");
+            Check(ColorKeptProbability > 0.25 && ColorKeptProbability < 1, "ColorKeptProbability between 0.25 and 1");
+            Check(MinProbability >= 0 && MinProbability <= 1, "MinProbability 0…1");
+            Check(MaxShots >= 1 && MaxShots <= 64 && MaxHands >= 1 && MaxHands <= 64, "MaxShots and MaxHands 1…64");
+            Check(HistoryLength >= 16 && HistoryLength <= 1 << 20, "HistoryLength 16…1048576");
+        }
+
+        private static void Check(bool condition, string rule)
+        {
+            if (!condition)
+                throw new ArgumentException("fusion settings: " + rule);
+        }
+    }
+}

@@ -1,0 +1,94 @@
+using System;
+using LaserTracking.Detection;
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Fusion
+{
+    /// <summary>Who has fired so far. Numbers are given in the order of first shots and stay with the person, also over a lost track.</summary>
+    internal sealed class ShooterRegistry
+    {
+        /// <summary>More people than ever stand on one range; further ones stay unknown.</summary>
+        public const int MaxShooters = 32;
+
+        private readonly FusionSettings _settings;
+        private readonly ShooterRecord[] _shooters = new ShooterRecord[MaxShooters];
+        private int _count;
+
+        public ShooterRegistry(FusionSettings settings) => _settings = settings;
+
+        public void Clear() => _count = 0;
+
+        /// <summary>Notes where a hand is now.</summary>
+        public void See(int trackId, Vector3D muzzleM, long timeUs)
+        {
+            for (int i = 0; i < _count; i++)
+            {
+                if (_shooters[i].TrackId != trackId)
+                    continue;
+                _shooters[i].MuzzleM = muzzleM;
+                _shooters[i].SeenUs = Math.Max(_shooters[i].SeenUs, timeUs);
+            }
+        }
+
+        /// <summary>The number of the shooter whose hand this is, or 0 when nobody of that place has fired yet.</summary>
+        /// <param name="trackId">Of the hand.</param>
+        /// <param name="muzzleM">Where it is.</param>
+        /// <param name="timeUs">When.</param>
+        /// <param name="visible">The hands seen at that time: a shooter whose own hand is among them is not taken over from afar.</param>
+        public int Find(int trackId, Vector3D muzzleM, long timeUs, ReadOnlySpan<PairedHand> visible)
+        {
+            for (int i = 0; i < _count; i++)
+            {
+                if (_shooters[i].TrackId == trackId)
+                    return i + 1;
+            }
+
+            int best = 0;
+            double bestDistance = double.MaxValue;
+            for (int i = 0; i < _count; i++)
+            {
+                double distance = (_shooters[i].MuzzleM - muzzleM).Length;
+                double reach = IsVisible(_shooters[i].TrackId, visible) ? _settings.SameWeaponM : _settings.RelinkM;
+                if (distance > reach || distance >= bestDistance || Math.Abs(timeUs - _shooters[i].SeenUs) > _settings.RelinkUs)
+                    continue;
+                best = i + 1;
+                bestDistance = distance;
+            }
+
+            return best;
+        }
+
+        public double ColorFactor(int shooter, LaserColor color) =>
+            shooter == 0 ? 1 : _shooters[shooter - 1].ColorFactor(color, _settings.ColorKeptProbability);
+
+        /// <summary>Notes a shot; gives a new number for shooter 0. Returns 0 when there is no room for another person.</summary>
+        public int Fired(int shooter, int trackId, Vector3D muzzleM, long timeUs, LaserColor color)
+        {
+            if (shooter == 0)
+            {
+                if (_count == MaxShooters)
+                    return 0;
+                _shooters[_count] = default;
+                shooter = ++_count;
+            }
+
+            ref ShooterRecord record = ref _shooters[shooter - 1];
+            record.TrackId = trackId;
+            record.MuzzleM = muzzleM;
+            record.SeenUs = Math.Max(record.SeenUs, timeUs);
+            record.Count(color);
+            return shooter;
+        }
+
+        private static bool IsVisible(int trackId, ReadOnlySpan<PairedHand> visible)
+        {
+            foreach (ref readonly PairedHand hand in visible)
+            {
+                if (hand.Hand.TrackId == trackId)
+                    return true;
+            }
+
+            return false;
+        }
+    }
+}

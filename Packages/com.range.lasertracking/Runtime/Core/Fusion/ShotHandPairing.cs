@@ -1,0 +1,70 @@
+using System;
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Fusion
+{
+    /// <summary>The line from a muzzle to a dot, and how well a dot agrees with an arm.</summary>
+    public static class ShotHandPairing
+    {
+        /// <summary>The published d̂ = v / (|v| + ε) with v = target − muzzle.</summary>
+        public static Vector3D Direction(Vector3D targetM, Vector3D muzzleM, double epsilonM)
+        {
+            Vector3D v = targetM - muzzleM;
+            double length = v.Length + epsilonM;
+            return length > 0 ? v * (1 / length) : default;
+        }
+
+        /// <summary>Angle between two directions of any length, 0…π; NaN when one of them is zero.</summary>
+        public static double AngleRad(Vector3D a, Vector3D b) =>
+            a.LengthSquared > 0 && b.LengthSquared > 0 ? Math.Atan2(Vector3D.Cross(a, b).Length, Vector3D.Dot(a, b)) : double.NaN;
+
+        /// <summary>
+        /// Fills muzzle, line, angle and pair time. False when the muzzle lies behind the screen, from where it cannot light it.
+        /// </summary>
+        /// <param name="hand">The hand at the shot's time, camera space.</param>
+        /// <param name="screenM">The dot on the screen.</param>
+        /// <param name="camera">Camera 1.</param>
+        /// <param name="settings">ε and the drift.</param>
+        /// <param name="shot">Shooter and probability stay zero.</param>
+        public static bool TryPair(in PairedHand hand, Vector2D screenM, HandCamera camera, FusionSettings settings, out FusedShot shot)
+        {
+            var target = new Vector3D(screenM.X, screenM.Y, 0);
+            Vector3D muzzle = camera.ToScreenM(hand.Hand.MuzzleMm);
+            double drift = settings.MuzzleDriftMPerS * Math.Abs(hand.DeltaUs) * 1e-6 * (hand.IsInterpolated ? 0.25 : 1);
+            double sigma = hand.Hand.MuzzleSigmaMm * Axes.MetresPerMillimetre;
+            Vector3D axis = camera.PoseInScreenMm.TransformDirection(hand.Hand.AimDirection);
+            shot = new FusedShot
+            {
+                Hand = hand.Hand.Side,
+                HandTrackId = hand.Hand.TrackId,
+                HasMuzzle = true,
+                MuzzleM = muzzle,
+                MuzzleSigmaM = Math.Sqrt(sigma * sigma + drift * drift),
+                Direction = Direction(target, muzzle, settings.EpsilonM),
+                AimErrorRad = AngleRad(axis, target - muzzle),
+                PairDeltaUs = hand.DeltaUs,
+            };
+            return muzzle.Z < 0 && muzzle.IsFinite;
+        }
+
+        /// <summary>
+        /// Density, per m² of the screen, with which this hand's shots fall where the dot is: normal in the angle between arm and
+        /// line, plus a share of outliers over the half space, seen through the solid angle of the screen there.
+        /// </summary>
+        public static double ScreenDensity(in PairedHand hand, in FusedShot shot, Vector2D screenM, FusionSettings settings)
+        {
+            Vector3D v = new Vector3D(screenM.X, screenM.Y, 0) - shot.MuzzleM;
+            double distance = Math.Max(0.1, v.Length);
+            double solidAnglePerM2 = Math.Max(0, v.Z / distance) / (distance * distance);
+            double anywhere = 1 / (2 * Math.PI);
+            if (double.IsNaN(shot.AimErrorRad))
+                return anywhere * solidAnglePerM2;
+            double seconds = Math.Abs(hand.DeltaUs) * 1e-6 * (hand.IsInterpolated ? 0.25 : 1);
+            double drift = settings.AimDriftRadPerS * seconds, lever = shot.MuzzleSigmaM / distance;
+            double variance = settings.WristSigmaRad * settings.WristSigmaRad + hand.Hand.AimSigmaRad * hand.Hand.AimSigmaRad
+                + drift * drift + lever * lever;
+            double aimed = Math.Exp(-shot.AimErrorRad * shot.AimErrorRad / (2 * variance)) / (2 * Math.PI * variance);
+            return ((1 - settings.OutlierShare) * aimed + settings.OutlierShare * anywhere) * solidAnglePerM2;
+        }
+    }
+}

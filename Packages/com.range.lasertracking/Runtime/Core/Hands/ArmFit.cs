@@ -1,0 +1,31 @@
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Hands
+{
+    /// <summary>What one arm's cells say about hand, axis and muzzle. Camera space, mm.</summary>
+    internal struct ArmFit
+    {
+        public Vector3D PalmMm;
+        public Vector3D MuzzleMm;
+        public double PalmSigmaMm;
+        public double MuzzleSigmaMm;
+
+        /// <summary>Unit vector towards the hand; zero when the arm's shape does not tell.</summary>
+        public Vector3D Axis;
+
+        public double AxisSigmaRad;
+
+        /// <summary>The forearm's middle line: a point on it and its direction; direction zero when too little of it is seen.</summary>
+        public Vector3D LinePointMm;
+
+        public Vector3D LineDirection;
+
+        /// <summary>Visible surface of the hand.</summary>
+        public double HandAreaMm2;
+
+        /// <summary>The arm ends in a hole of a hand's size: the palm comes from the hole's outline and the forearm.</summary>
+        public bool IsHandLost;
+
+        public HandSide Side;
+    }
+}

@@ -1,0 +1,285 @@
+using System;
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Hands
+{
+    /// <summary>
+    /// Measures one arm: its axis from forearm to hand, the hand as what lies within a hand's length of the front end, the muzzle as
+    /// the end of a narrow part before it or, unseen, at a fixed distance along the axis.
+    /// </summary>
+    internal sealed class ArmFitter
+    {
+        private const double BinMm = 10;
+        private const int Bins = 128;
+
+        private readonly DepthHandSettings _settings;
+        private readonly double[] _binArea = new double[Bins];
+        private readonly double[] _binLowA = new double[Bins];
+        private readonly double[] _binHighA = new double[Bins];
+        private readonly double[] _binLowB = new double[Bins];
+        private readonly double[] _binHighB = new double[Bins];
+        private Vector3D[] _points = Array.Empty<Vector3D>();
+        private double[] _areas = Array.Empty<double>();
+        private int _count;
+        private double _cellMm;
+
+        public ArmFitter(DepthHandSettings settings) => _settings = settings;
+
+        /// <summary>False when the part has not the shape of an arm with a hand.</summary>
+        public bool TryFit(DepthGrid grid, ReadOnlySpan<int> cells, in ArmPart part, out ArmFit fit)
+        {
+            fit = default;
+            Load(grid, cells);
+            Vector3D axis = FirstAxis(part, out bool isClear);
+            double front = 0, handStart = 0, handEnd = 0;
+            Vector3D hand = default, rear = default;
+            bool hasRear = false, hasWeapon = false;
+            for (int pass = 0; pass < 2; pass++)
+            {
+                front = Front(axis, out handStart);
+                hasWeapon = front - handStart > 3 * BinMm + _settings.HandLengthMm / 6;
+                double start = hasWeapon ? handStart : front;
+                handEnd = start - (hasWeapon ? 0.6 : 1) * _settings.HandLengthMm;
+                fit.HandAreaMm2 = Mean(axis, handEnd, start + 1, out hand);
+                if (!(fit.HandAreaMm2 > 0))
+                    return false;
+                double rearArea = Mean(axis, handEnd - _settings.ForearmLengthMm, handEnd, out rear);
+                hasRear = rearArea > _settings.MinArmAreaMm2 / 2 && (hand - rear).Length > 0.5 * _settings.HandLengthMm;
+                if (!hasRear)
+                    break;
+                axis = (hand - rear).Normalized;
+                isClear = true;
+            }
+
+            if (fit.HandAreaMm2 > _settings.MaxHandAreaMm2)
+                return false;
+            Vector3D palm = hand + hand.Normalized * _settings.HandHalfThicknessMm;
+            fit.PalmMm = palm;
+            fit.PalmSigmaMm = _settings.PalmSigmaMm;
+            fit.Axis = isClear ? axis : default;
+            fit.AxisSigmaRad = hasRear ? 1.5 * _settings.PalmSigmaMm / (hand - rear).Length : 0.3;
+            if (hasRear)
+                FitLine(axis, handEnd - _settings.ForearmLengthMm, handEnd, rear, ref fit);
+            Muzzle(axis, isClear, hasWeapon, front, ref fit);
+            fit.Side = SideOf(part, hasRear ? rear : hand);
+            if (isClear && IsHole(grid, hand, axis, front, out Vector3D holeRay))
+                BridgeHand(axis, front, holeRay, ref fit);
+            return true;
+        }
+
+        private void Load(DepthGrid grid, ReadOnlySpan<int> cells)
+        {
+            if (_points.Length < cells.Length)
+            {
+                _points = new Vector3D[grid.Z.Length];
+                _areas = new double[grid.Z.Length];
+            }
+
+            _count = cells.Length;
+            double sum = 0;
+            for (int i = 0; i < cells.Length; i++)
+            {
+                _points[i] = grid.Point(cells[i]);
+                _areas[i] = grid.Area(cells[i]);
+                sum += _areas[i];
+            }
+
+            _cellMm = Math.Sqrt(sum / _count);
+        }
+
+        /// <summary>From the middle of the farthest part to the middle of the nearest: the screen, and so the hand, is on the near side.</summary>
+        private Vector3D FirstAxis(in ArmPart part, out bool isClear)
+        {
+            double near = double.MaxValue, far = 0;
+            for (int i = 0; i < _count; i++)
+            {
+                near = Math.Min(near, _points[i].Z);
+                far = Math.Max(far, _points[i].Z);
+            }
+
+            double band = Math.Max(20, 0.15 * (far - near));
+            Vector3D nearSum = default, farSum = default;
+            double nearArea = 0, farArea = 0;
+            for (int i = 0; i < _count; i++)
+            {
+                if (_points[i].Z <= near + band)
+                {
+                    nearSum += _points[i] * _areas[i];
+                    nearArea += _areas[i];
+                }
+
+                if (_points[i].Z >= far - band)
+                {
+                    farSum += _points[i] * _areas[i];
+                    farArea += _areas[i];
+                }
+            }
+
+            Vector3D difference = nearSum * (1 / nearArea) - farSum * (1 / farArea);
+            // An arm across the line of sight has no end that is clearly nearer.
+            isClear = far - near > 0.35 * _settings.HandLengthMm && difference.Length > 0.5 * _settings.HandLengthMm;
+            return difference.Length > 1 ? difference.Normalized : new Vector3D(0, 0, -1);
+        }
+
+        /// <summary>Position along the axis of the front end, and of the place where it becomes as wide as a hand.</summary>
+        private double Front(Vector3D axis, out double handStart)
+        {
+            double top = double.MinValue;
+            for (int i = 0; i < _count; i++)
+                top = Math.Max(top, Vector3D.Dot(_points[i], axis));
+            Vector3D a = Vector3D.Cross(axis, Math.Abs(axis.Y) < 0.8 ? new Vector3D(0, 1, 0) : new Vector3D(1, 0, 0)).Normalized;
+            Vector3D b = Vector3D.Cross(axis, a);
+            for (int k = 0; k < Bins; k++)
+            {
+                _binArea[k] = 0;
+                _binLowA[k] = _binLowB[k] = double.MaxValue;
+                _binHighA[k] = _binHighB[k] = double.MinValue;
+            }
+
+            for (int i = 0; i < _count; i++)
+            {
+                int k = (int)((top - Vector3D.Dot(_points[i], axis)) / BinMm);
+                if (k >= Bins)
+                    continue;
+                double pa = Vector3D.Dot(_points[i], a), pb = Vector3D.Dot(_points[i], b);
+                _binArea[k] += _areas[i];
+                _binLowA[k] = Math.Min(_binLowA[k], pa);
+                _binHighA[k] = Math.Max(_binHighA[k], pa);
+                _binLowB[k] = Math.Min(_binLowB[k], pb);
+                _binHighB[k] = Math.Max(_binHighB[k], pb);
+            }
+
+            // A single stray cell is not the front end.
+            double needed = 1.5 * _cellMm * _cellMm, gathered = 0;
+            int first = 0;
+            while (first < Bins - 1 && (gathered += _binArea[first]) < needed)
+                first++;
+            int wide = first;
+            while (wide < Bins - 1 && !(Math.Max(_binHighA[wide] - _binLowA[wide], _binHighB[wide] - _binLowB[wide]) + _cellMm
+                                        >= _settings.MinHandWidthMm))
+                wide++;
+            handStart = top - wide * BinMm;
+            return top - first * BinMm;
+        }
+
+        private double Mean(Vector3D axis, double from, double to, out Vector3D mean)
+        {
+            Vector3D sum = default;
+            double area = 0;
+            for (int i = 0; i < _count; i++)
+            {
+                double s = Vector3D.Dot(_points[i], axis);
+                if (s < from || s > to)
+                    continue;
+                sum += _points[i] * _areas[i];
+                area += _areas[i];
+            }
+
+            mean = area > 0 ? sum * (1 / area) : default;
+            return area;
+        }
+
+        /// <summary>Principal axis of the cells between two positions, by power iteration from the axis.</summary>
+        private void FitLine(Vector3D axis, double from, double to, Vector3D middle, ref ArmFit fit)
+        {
+            double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0, area = 0;
+            for (int i = 0; i < _count; i++)
+            {
+                double s = Vector3D.Dot(_points[i], axis);
+                if (s < from || s > to)
+                    continue;
+                Vector3D d = _points[i] - middle;
+                double w = _areas[i];
+                area += w;
+                xx += w * d.X * d.X;
+                xy += w * d.X * d.Y;
+                xz += w * d.X * d.Z;
+                yy += w * d.Y * d.Y;
+                yz += w * d.Y * d.Z;
+                zz += w * d.Z * d.Z;
+            }
+
+            Vector3D v = axis;
+            double length = 0;
+            for (int step = 0; step < 16; step++)
+            {
+                var next = new Vector3D(xx * v.X + xy * v.Y + xz * v.Z, xy * v.X + yy * v.Y + yz * v.Z, xz * v.X + yz * v.Y + zz * v.Z);
+                length = next.Length;
+                if (!(length > 0))
+                    return;
+                v = next * (1 / length);
+            }
+
+            if (Math.Sqrt(length / area) < 0.15 * _settings.ForearmLengthMm)
+                return;
+            fit.LinePointMm = middle;
+            fit.LineDirection = v;
+        }
+
+        private void Muzzle(Vector3D axis, bool isClear, bool hasWeapon, double front, ref ArmFit fit)
+        {
+            if (hasWeapon && Mean(axis, front - 2 * BinMm, front + 1, out Vector3D end) > 0)
+            {
+                fit.MuzzleMm = end + axis * BinMm;
+                fit.MuzzleSigmaMm = 1.5 * _settings.PalmSigmaMm;
+                return;
+            }
+
+            double beyond = _settings.MuzzleBeyondPalmMm;
+            fit.MuzzleMm = isClear ? fit.PalmMm + axis * beyond : fit.PalmMm;
+            double swing = isClear ? beyond * fit.AxisSigmaRad : beyond;
+            fit.MuzzleSigmaMm = Math.Sqrt(_settings.MuzzleSigmaMm * _settings.MuzzleSigmaMm + swing * swing);
+        }
+
+        /// <summary>The camera faces the trainee: their right shoulder is on the picture's left. Within a third of the body: unknown.</summary>
+        private HandSide SideOf(in ArmPart part, Vector3D root)
+        {
+            if (!part.HasTorso)
+                return HandSide.Unknown;
+            double offset = root.X - part.TorsoMm.X;
+            double limit = 0.4 * _settings.TorsoHalfWidthMm;
+            return offset < -limit ? HandSide.Right : offset > limit ? HandSide.Left : HandSide.Unknown;
+        }
+
+        /// <summary>True when most of what lies before the front end has no depth at all; the middle of that, as a ray (z = 1).</summary>
+        private bool IsHole(DepthGrid grid, Vector3D hand, Vector3D axis, double front, out Vector3D ray)
+        {
+            Vector3D tip = hand + axis * (front - Vector3D.Dot(hand, axis));
+            double half = _settings.HandLengthMm / 2;
+            ray = default;
+            if (!HoleProbe.Measure(grid, tip + axis * (0.8 * half), 0.6 * half, out double share, out _) || share < _settings.LostShare)
+                return false;
+            return HoleProbe.Measure(grid, tip + axis * half, 1.2 * half, out _, out ray);
+        }
+
+        private void BridgeHand(Vector3D axis, double front, Vector3D holeRay, ref ArmFit fit)
+        {
+            Mean(axis, front - _settings.ForearmLengthMm, front + 1, out Vector3D middle);
+            fit.LineDirection = default;
+            FitLine(axis, front - _settings.ForearmLengthMm, front + 1, middle, ref fit);
+            fit.IsHandLost = true;
+            Vector3D tip = middle + axis * (front - Vector3D.Dot(middle, axis));
+            double z = tip.Z + axis.Z * _settings.HandLengthMm / 2;
+            if (TryLineDepth(fit, holeRay, out double onLine))
+                z = onLine;
+            fit.PalmMm = holeRay * (z + _settings.HandHalfThicknessMm);
+            fit.MuzzleMm = fit.PalmMm + axis * _settings.MuzzleBeyondPalmMm;
+            fit.PalmSigmaMm *= 3;
+            fit.MuzzleSigmaMm = Math.Sqrt(fit.MuzzleSigmaMm * fit.MuzzleSigmaMm + fit.PalmSigmaMm * fit.PalmSigmaMm);
+        }
+
+        /// <summary>Distance along z at which a ray (z = 1) passes the forearm's line most closely; false when they run alike.</summary>
+        public static bool TryLineDepth(in ArmFit fit, Vector3D ray, out double zMm)
+        {
+            Vector3D r = ray.Normalized, d = fit.LineDirection;
+            double along = Vector3D.Dot(r, d), denominator = 1 - along * along;
+            zMm = 0;
+            // Nearer than about 17° to the ray the crossing point is mostly noise.
+            if (d.LengthSquared == 0 || denominator < 0.09)
+                return false;
+            double t = (Vector3D.Dot(fit.LinePointMm, r) - along * Vector3D.Dot(fit.LinePointMm, d)) / denominator;
+            zMm = t * r.Z;
+            return zMm > 0;
+        }
+    }
+}

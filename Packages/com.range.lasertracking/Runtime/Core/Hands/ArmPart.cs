@@ -1,0 +1,20 @@
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Hands
+{
+    /// <summary>One connected part of a grid that may be an arm: a slice of the segmenter's cell list.</summary>
+    internal struct ArmPart
+    {
+        public int First;
+        public int Count;
+        public double AreaMm2;
+        public double NearestMm;
+        public double MiddleXMm;
+
+        /// <summary>False where no body was seen behind it; then the next means nothing.</summary>
+        public bool HasTorso;
+
+        /// <summary>Middle of the torso behind the arm; only x and z are known, y is the arm's.</summary>
+        public Vector3D TorsoMm;
+    }
+}

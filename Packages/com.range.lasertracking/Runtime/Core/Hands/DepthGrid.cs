@@ -1,0 +1,115 @@
+using System;
+using LaserTracking.Geometry;
+using LaserTracking.Imaging;
+
+namespace LaserTracking.Hands
+{
+    /// <summary>A depth picture gathered into cells of about one size in space, each with its ray; holes bridged.</summary>
+    internal sealed unsafe class DepthGrid
+    {
+        private readonly PinholeCamera _camera;
+        private readonly DepthHandSettings _settings;
+        private int _imageWidth;
+        private int _imageHeight;
+
+        public DepthGrid(PinholeCamera camera, DepthHandSettings settings)
+        {
+            _camera = camera;
+            _settings = settings;
+        }
+
+        public int Width { get; private set; }
+
+        public int Height { get; private set; }
+
+        /// <summary>Pixels along a cell's side.</summary>
+        public int StepPx { get; private set; }
+
+        /// <summary>Distance along z in mm; 0 outside the gate and where nothing was measured.</summary>
+        public float[] Z { get; private set; } = Array.Empty<float>();
+
+        /// <summary>x/z of the ray through a column of cells.</summary>
+        public float[] RayX { get; private set; } = Array.Empty<float>();
+
+        /// <summary>y/z of the ray through a row of cells.</summary>
+        public float[] RayY { get; private set; } = Array.Empty<float>();
+
+        /// <summary>True where no pixel of the cell had a depth, also after bridging.</summary>
+        public bool[] Lost { get; private set; } = Array.Empty<bool>();
+
+        /// <summary>Surface that a cell covers at distance 1, seen straight on.</summary>
+        public double UnitArea { get; private set; }
+
+        public Vector3D Point(int cell)
+        {
+            double z = Z[cell];
+            return new Vector3D(RayX[cell % Width] * z, RayY[cell / Width] * z, z);
+        }
+
+        public double Area(int cell) => UnitArea * Z[cell] * Z[cell];
+
+        /// <summary>The cell in whose picture a point lies, or -1.</summary>
+        public int CellOf(Vector3D point)
+        {
+            if (!_camera.TryProject(point, out Vector2D px))
+                return -1;
+            double scaleX = (double)_imageWidth / _camera.Width, scaleY = (double)_imageHeight / _camera.Height;
+            int column = (int)Math.Floor((px.X + 0.5) * scaleX / StepPx), row = (int)Math.Floor((px.Y + 0.5) * scaleY / StepPx);
+            return column < 0 || row < 0 || column >= Width || row >= Height ? -1 : row * Width + column;
+        }
+
+        public void Fill(Image depth)
+        {
+            if (depth.Width != _imageWidth || depth.Height != _imageHeight)
+                Allocate(depth.Width, depth.Height);
+            float near = (float)_settings.NearMm, far = (float)_settings.FarMm;
+            int first = StepPx >= 4 ? StepPx / 4 : 0, second = StepPx >= 4 ? StepPx - 1 - StepPx / 4 : StepPx - 1;
+            fixed (float* z = Z)
+            fixed (bool* lost = Lost)
+            {
+                for (int row = 0; row < Height; row++)
+                {
+                    byte* top = depth.Pixels + (long)(row * StepPx + first) * depth.Stride;
+                    byte* bottom = depth.Pixels + (long)(row * StepPx + second) * depth.Stride;
+                    DepthGridKernel.Row((ushort*)top, (ushort*)bottom, Width, StepPx, first, second, near, far,
+                        (float)_settings.SurfaceStepMm, z + row * Width, lost + row * Width);
+                }
+
+                BridgeHoles(z, lost);
+            }
+        }
+
+        /// <summary>Fills short holes between two cells of one surface, along rows first, then along columns.</summary>
+        private void BridgeHoles(float* z, bool* lost)
+        {
+            float cellRad = (float)Math.Sqrt(UnitArea), hole = (float)_settings.HoleMm, step = (float)_settings.SurfaceStepMm;
+            for (int row = 0; row < Height; row++)
+                DepthGridKernel.Bridge(z + row * Width, lost + row * Width, Width, 1, hole / cellRad, step);
+            for (int column = 0; column < Width; column++)
+                DepthGridKernel.Bridge(z + column, lost + column, Height, Width, hole / cellRad, step);
+        }
+
+        private void Allocate(int imageWidth, int imageHeight)
+        {
+            _imageWidth = imageWidth;
+            _imageHeight = imageHeight;
+            double fx = _camera.FocalXPx * imageWidth / _camera.Width, fy = _camera.FocalYPx * imageHeight / _camera.Height;
+            StepPx = Math.Max(1, (int)Math.Round(Math.Sqrt(fx * fy) * _settings.CellRad));
+            StepPx = Math.Min(StepPx, Math.Min(imageWidth, imageHeight));
+            Width = imageWidth / StepPx;
+            Height = imageHeight / StepPx;
+            UnitArea = StepPx / fx * (StepPx / fy);
+            Z = new float[Width * Height];
+            Lost = new bool[Width * Height];
+            RayX = new float[Width];
+            RayY = new float[Height];
+            // A pixel of a smaller mode covers several of the calibrated one; centres are integers in both.
+            double scaleX = (double)_camera.Width / imageWidth, scaleY = (double)_camera.Height / imageHeight;
+            double middle = (StepPx - 1) / 2.0;
+            for (int column = 0; column < Width; column++)
+                RayX[column] = (float)_camera.Unproject((column * StepPx + middle + 0.5) * scaleX - 0.5, 0, 1).X;
+            for (int row = 0; row < Height; row++)
+                RayY[row] = (float)_camera.Unproject(0, (row * StepPx + middle + 0.5) * scaleY - 0.5, 1).Y;
+        }
+    }
+}

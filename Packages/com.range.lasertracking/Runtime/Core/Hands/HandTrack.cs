@@ -1,0 +1,36 @@
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Hands
+{
+    /// <summary>One hand over time. Camera space, mm, mm/s.</summary>
+    internal struct HandTrack
+    {
+        public int Id;
+        public Vector3D PalmMm;
+        public Vector3D VelocityMmS;
+
+        /// <summary>Whether two measured positions have given a velocity.</summary>
+        public bool HasVelocity;
+
+        /// <summary>Time of <see cref="PalmMm"/>.</summary>
+        public long TimeUs;
+
+        public long MeasuredUs;
+
+        /// <summary>Palm's distance minus that of the forearm's line on the palm's ray, as last measured.</summary>
+        public double LineOffsetMm;
+
+        public bool HasLineOffset;
+
+        /// <summary>From palm to muzzle, as last measured.</summary>
+        public Vector3D MuzzleOffsetMm;
+
+        public Vector3D Axis;
+        public double AxisSigmaRad;
+
+        /// <summary>Right above zero, left below; limited, so that a new body side wins in time.</summary>
+        public int SideVotes;
+
+        public Vector3D Predict(long timeUs) => PalmMm + VelocityMmS * ((timeUs - TimeUs) * 1e-6);
+    }
+}

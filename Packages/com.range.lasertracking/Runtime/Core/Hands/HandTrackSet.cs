@@ -1,0 +1,215 @@
+using System;
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Hands
+{
+    /// <summary>
+    /// Gives the arms of each frame their numbers: nearest to the predicted place first, one arm a track. Carries a hand over frames
+    /// in which its depth is lost.
+    /// </summary>
+    internal sealed class HandTrackSet
+    {
+        private const double NominalFrameUs = 66_667;
+        private const double VelocityGain = 0.7;
+        private const int MaxVotes = 6;
+        private const int NeededVotes = 2;
+
+        private readonly DepthHandSettings _settings;
+        private readonly HandTrack[] _tracks;
+        private readonly bool[] _trackTaken;
+        private readonly bool[] _fitTaken;
+        private int _count;
+        private int _nextId = 1;
+
+        public HandTrackSet(DepthHandSettings settings)
+        {
+            _settings = settings;
+            _tracks = new HandTrack[2 * settings.MaxHands];
+            _trackTaken = new bool[_tracks.Length];
+            _fitTaken = new bool[settings.MaxHands];
+        }
+
+        public void Reset()
+        {
+            _count = 0;
+            _nextId = 1;
+        }
+
+        public void Update(DepthGrid grid, long timeUs, ReadOnlySpan<ArmFit> fits, HandObservations observations)
+        {
+            Forget(timeUs);
+            Array.Clear(_trackTaken, 0, _trackTaken.Length);
+            Array.Clear(_fitTaken, 0, _fitTaken.Length);
+            while (TryNearestPair(fits, timeUs, out int track, out int fit))
+            {
+                _trackTaken[track] = true;
+                _fitTaken[fit] = true;
+                Continue(ref _tracks[track], fits[fit], timeUs, observations);
+            }
+
+            int old = _count;
+            for (int i = 0; i < old; i++)
+            {
+                if (!_trackTaken[i])
+                    Carry(ref _tracks[i], grid, timeUs, observations);
+            }
+
+            for (int i = 0; i < fits.Length; i++)
+            {
+                if (!_fitTaken[i] && _count < _tracks.Length)
+                    Start(fits[i], timeUs, observations);
+            }
+        }
+
+        private void Forget(long timeUs)
+        {
+            int kept = 0;
+            for (int i = 0; i < _count; i++)
+            {
+                // Also when time runs backwards, after a seek.
+                long age = timeUs - _tracks[i].TimeUs;
+                if (age > 0 && age <= _settings.TrackMemoryUs)
+                    _tracks[kept++] = _tracks[i];
+            }
+
+            _count = kept;
+        }
+
+        private bool TryNearestPair(ReadOnlySpan<ArmFit> fits, long timeUs, out int bestTrack, out int bestFit)
+        {
+            bestTrack = bestFit = -1;
+            double best = double.MaxValue;
+            for (int t = 0; t < _count; t++)
+            {
+                if (_trackTaken[t])
+                    continue;
+                Vector3D expected = _tracks[t].Predict(timeUs);
+                double frames = Math.Min(3, Math.Max(1, (timeUs - _tracks[t].TimeUs) / NominalFrameUs));
+                double gate = _settings.TrackGateMm * Math.Sqrt(frames);
+                for (int f = 0; f < fits.Length; f++)
+                {
+                    double distance = (fits[f].PalmMm - expected).Length;
+                    if (_fitTaken[f] || distance > gate || distance >= best)
+                        continue;
+                    best = distance;
+                    bestTrack = t;
+                    bestFit = f;
+                }
+            }
+
+            return bestTrack >= 0;
+        }
+
+        private void Continue(ref HandTrack track, in ArmFit fit, long timeUs, HandObservations observations)
+        {
+            Vector3D expected = track.Predict(timeUs);
+            if (fit.IsHandLost)
+            {
+                Bridge(ref track, fit, expected, timeUs, observations);
+                return;
+            }
+
+            double seconds = (timeUs - track.TimeUs) * 1e-6;
+            track.VelocityMmS = track.HasVelocity
+                ? track.VelocityMmS + (fit.PalmMm - expected) * (VelocityGain / seconds)
+                : (fit.PalmMm - track.PalmMm) * (1 / seconds);
+            track.HasVelocity = true;
+            Measure(ref track, fit, timeUs, observations);
+        }
+
+        private void Start(in ArmFit fit, long timeUs, HandObservations observations)
+        {
+            ref HandTrack track = ref _tracks[_count++];
+            track = new HandTrack { Id = _nextId++ };
+            if (!fit.IsHandLost)
+            {
+                Measure(ref track, fit, timeUs, observations);
+                return;
+            }
+
+            Remember(ref track, fit, timeUs);
+            track.MeasuredUs = timeUs;
+            Report(track, fit.PalmSigmaMm, fit.MuzzleSigmaMm, DepthSource.Bridged, observations);
+        }
+
+        private void Measure(ref HandTrack track, in ArmFit fit, long timeUs, HandObservations observations)
+        {
+            Remember(ref track, fit, timeUs);
+            track.MeasuredUs = timeUs;
+            track.HasLineOffset = ArmFitter.TryLineDepth(fit, fit.PalmMm, out double onLine);
+            track.LineOffsetMm = fit.PalmMm.Z - onLine;
+            if (fit.Side != HandSide.Unknown)
+            {
+                int votes = track.SideVotes + (fit.Side == HandSide.Right ? 1 : -1);
+                track.SideVotes = Math.Max(-MaxVotes, Math.Min(MaxVotes, votes));
+            }
+
+            Report(track, fit.PalmSigmaMm, fit.MuzzleSigmaMm, DepthSource.Measured, observations);
+        }
+
+        private static void Remember(ref HandTrack track, in ArmFit fit, long timeUs)
+        {
+            track.PalmMm = fit.PalmMm;
+            track.TimeUs = timeUs;
+            track.MuzzleOffsetMm = fit.MuzzleMm - fit.PalmMm;
+            track.Axis = fit.Axis;
+            track.AxisSigmaRad = fit.AxisSigmaRad;
+        }
+
+        /// <summary>
+        /// Across the line of sight half from the hole's outline (which a shadow widens to one side) and half from the motion; along
+        /// it from the forearm, which still is measured, and the palm's last position relative to that.
+        /// </summary>
+        private void Bridge(ref HandTrack track, in ArmFit fit, Vector3D expected, long timeUs, HandObservations observations)
+        {
+            bool onArm = track.HasLineOffset;
+            double z = expected.Z;
+            Vector3D hole = fit.PalmMm * (1 / fit.PalmMm.Z), ray = expected * (1 / expected.Z);
+            if (track.HasVelocity)
+                ray = (ray + hole) * 0.5;
+            else
+                ray = hole;
+            if (onArm && ArmFitter.TryLineDepth(fit, ray, out double onLine))
+                z = onLine + track.LineOffsetMm;
+            track.PalmMm = ray * z;
+            track.TimeUs = timeUs;
+            if (fit.Axis.LengthSquared > 0)
+                track.Axis = fit.Axis;
+            double sigma = _settings.PalmSigmaMm * 1.5;
+            Report(track, sigma, Math.Sqrt(sigma * sigma + _settings.MuzzleSigmaMm * _settings.MuzzleSigmaMm), DepthSource.Bridged,
+                observations);
+        }
+
+        /// <summary>A hand that no arm of this frame explains goes on as expected while the sensor is blind there, for a short time.</summary>
+        private void Carry(ref HandTrack track, DepthGrid grid, long timeUs, HandObservations observations)
+        {
+            long blindUs = timeUs - track.MeasuredUs;
+            Vector3D expected = track.Predict(timeUs);
+            if (blindUs > _settings.BridgeUs
+                || !HoleProbe.Measure(grid, expected, 0.25 * _settings.HandLengthMm, out double share, out _)
+                || share < _settings.LostShare)
+                return;
+            track.PalmMm = expected;
+            track.TimeUs = timeUs;
+            double sigma = _settings.PalmSigmaMm * (1 + blindUs / NominalFrameUs);
+            Report(track, sigma, Math.Sqrt(sigma * sigma + _settings.MuzzleSigmaMm * _settings.MuzzleSigmaMm), DepthSource.Bridged,
+                observations);
+        }
+
+        private static void Report(in HandTrack track, double sigma, double muzzleSigma, DepthSource source, HandObservations observations)
+        {
+            observations.Add(new HandObservation
+            {
+                TrackId = track.Id,
+                Side = track.SideVotes >= NeededVotes ? HandSide.Right : track.SideVotes <= -NeededVotes ? HandSide.Left : HandSide.Unknown,
+                PalmMm = track.PalmMm,
+                MuzzleMm = track.PalmMm + track.MuzzleOffsetMm,
+                AimDirection = track.Axis,
+                SigmaMm = sigma,
+                MuzzleSigmaMm = muzzleSigma,
+                AimSigmaRad = track.AxisSigmaRad,
+                DepthSource = source,
+            });
+        }
+    }
+}
