@@ -12,6 +12,12 @@ namespace LaserTracking.Scoring
         public Vector3D Normal;
         public double DistanceM;
 
+        /// <summary>
+        /// Where the object stood: its position and rotation in the scene, without its scale. Carries the shot's uncertainty to the
+        /// target's plane.
+        /// </summary>
+        public Pose ObjectPose;
+
         /// <summary>The point in the object's own axes and in metres (scale not undone): x right, y up in the target's plane.</summary>
         public Vector3D LocalPointM;
     }
