@@ -10,9 +10,6 @@ namespace LaserTracking.Pipeline
         /// </summary>
         public long? SceneTimeZeroUs { get; set; }
 
-        /// <summary>Added to camera 1's device times to bring them on camera 0's clock, microseconds.</summary>
-        public long HandClockOffsetUs { get; set; }
-
         /// <summary>Share of the searched picture, 0…1, above which a frame counts as blind and a health event says so.</summary>
         public double BlindShareLimit { get; set; } = 0.5;
 

@@ -4,7 +4,6 @@ using LaserTracking.Detection;
 using LaserTracking.Fusion;
 using LaserTracking.Geometry;
 using LaserTracking.Hands;
-using LaserTracking.Imaging;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
 using LaserTracking.Tracking;
@@ -14,7 +13,7 @@ namespace LaserTracking.Pipeline
     /// <summary>
     /// The way of a frame: detection → tracking → geometry → fusion → scoring → session. Owns the steps and the buffers between
     /// them and is the only place that knows them all. One thread at a time; no allocation per frame once warm. Frames of camera 1
-    /// must come before the frames of camera 0 that are later than they are; <see cref="SessionRunner"/> sees to that.
+    /// come on camera 0's clock and before the frames of camera 0 that are later; <see cref="SessionRunner"/> sees to that.
     /// </summary>
     public sealed class RangePipeline
     {
@@ -29,6 +28,7 @@ namespace LaserTracking.Pipeline
         private readonly PipelineHealth _health;
         private readonly Detections _detections = new Detections();
         private readonly HandObservations _hands = new HandObservations();
+        private readonly TrackShooters _trackShooters = new TrackShooters();
         private readonly FusedShot[] _fused = new FusedShot[ShotTracker.MaxShotsPerFrame];
         private readonly Vector2D[] _shotsOnScreenM = new Vector2D[ShotTracker.MaxShotsPerFrame];
         private long _sceneTimeZeroUs;
@@ -102,14 +102,13 @@ namespace LaserTracking.Pipeline
                 return;
             _hands.Begin(frame.Index, frame.TimeUs);
             _handTracker.Process(frame, _hands);
-            long timeUs = frame.TimeUs + _settings.HandClockOffsetUs;
-            _fusion?.AddHands(_hands, timeUs);
+            _fusion?.AddHands(_hands);
             foreach (HandObservation hand in _hands.Hands)
             {
                 var observed = new HandEvent
                 {
                     FrameIndex = frame.Index,
-                    TimeUs = timeUs,
+                    TimeUs = _hands.TimeUs,
                     TrackId = hand.TrackId,
                     Side = hand.Side,
                     PalmM = camera.ToScreenM(hand.PalmMm),
@@ -148,7 +147,7 @@ namespace LaserTracking.Pipeline
             {
                 for (int i = 0; i < shots.Length; i++)
                     _shotsOnScreenM[i] = _calibration.Screen.ToScreenM(shots[i].Dot.PositionPx);
-                _fusion?.Assign(shots, _shotsOnScreenM, _fused);
+                _fusion?.Fuse(shots, _shotsOnScreenM, _fused);
             }
 
             for (int i = 0; i < shots.Length; i++)
@@ -160,13 +159,32 @@ namespace LaserTracking.Pipeline
                     shot.ScreenM = _shotsOnScreenM[i];
                     shot.ScreenCovarianceMm2 = _calibration.Screen.ToScreenMm2(shots[i].Dot.PositionPx, shots[i].Dot.CovariancePx);
                     if (_fusion != null)
-                        _fused[i].CopyTo(ref shot);
-                    double sceneTimeS = (shots[i].TimeUs - _sceneTimeZeroUs) * 1e-6;
-                    shot.HasHit = _scorer != null && _scorer.TryScore(shot, sceneTimeS, out shot.Hit);
+                        AddShooter(_fused[i], ref shot);
+                    if (_scorer != null)
+                        AddHit(_scorer, ref shot);
                 }
 
                 _sink.OnShot(shot);
             }
+        }
+
+        private void AddShooter(in FusedShot fused, ref ShotEvent shot)
+        {
+            shot.Shooter = fused.Shooter;
+            shot.ShooterProbability = fused.ShooterProbability;
+            shot.Hand = fused.Hand;
+            shot.HasMuzzle = fused.HasMuzzle;
+            shot.MuzzleM = fused.MuzzleM;
+            shot.Direction = fused.Direction;
+            shot.PairDeltaUs = fused.PairDeltaUs;
+            _trackShooters.Set(shot.Shot.TrackId, fused.Shooter);
+        }
+
+        private void AddHit(ShotScorer scorer, ref ShotEvent shot)
+        {
+            double sceneTimeS = (shot.Shot.TimeUs - _sceneTimeZeroUs) * 1e-6;
+            Vector3D? muzzleM = shot.HasMuzzle ? shot.MuzzleM : (Vector3D?)null;
+            shot.HasHit = scorer.TryScore(shot.ScreenM, shot.ScreenCovarianceMm2, shot.Shot.Dot.Confidence, muzzleM, sceneTimeS, out shot.Hit);
         }
 
         private void ReportDots()
@@ -179,7 +197,7 @@ namespace LaserTracking.Pipeline
                     TimeUs = _detections.TimeUs,
                     TrackId = tracked.TrackId,
                     Dot = tracked.Dot,
-                    Shooter = _fusion?.ShooterOfTrack(tracked.TrackId) ?? 0,
+                    Shooter = _trackShooters.Get(tracked.TrackId),
                 });
             }
         }

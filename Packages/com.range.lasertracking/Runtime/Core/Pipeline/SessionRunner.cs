@@ -20,7 +20,7 @@ namespace LaserTracking.Pipeline
         /// <param name="pipeline">Already begun.</param>
         /// <param name="screenCamera">Camera 0.</param>
         /// <param name="handCamera">Camera 1, or null.</param>
-        /// <param name="handClockOffsetUs">As in <see cref="PipelineSettings"/>.</param>
+        /// <param name="handClockOffsetUs">Added to camera 1's device times to bring them on camera 0's clock, microseconds.</param>
         public SessionRunner(RangePipeline pipeline, IFrameSource screenCamera, IFrameSource? handCamera, long handClockOffsetUs)
         {
             _pipeline = pipeline;
@@ -38,15 +38,15 @@ namespace LaserTracking.Pipeline
             using (var frame = new Frame())
             using (var handFrame = new Frame())
             {
-                bool hasHandFrame = _handCamera != null && _handCamera.TryRead(handFrame);
+                bool hasHandFrame = TryReadHands(handFrame);
                 while (_screenCamera.TryRead(frame))
                 {
                     if (interrupted.IsCancellationRequested)
                         return false;
-                    while (hasHandFrame && handFrame.TimeUs + _handClockOffsetUs <= frame.TimeUs)
+                    while (hasHandFrame && handFrame.TimeUs <= frame.TimeUs)
                     {
                         _pipeline.ProcessHands(handFrame);
-                        hasHandFrame = _handCamera!.TryRead(handFrame);
+                        hasHandFrame = TryReadHands(handFrame);
                     }
 
                     BeforeFrame?.Invoke(frame);
@@ -59,6 +59,15 @@ namespace LaserTracking.Pipeline
                 PassOnProblems(_screenCamera, ref _screenProblems);
                 return true;
             }
+        }
+
+        private bool TryReadHands(Frame frame)
+        {
+            if (_handCamera == null || !_handCamera.TryRead(frame))
+                return false;
+            frame.TimeUs += _handClockOffsetUs;
+            frame.Depth.TimeUs += _handClockOffsetUs;
+            return true;
         }
 
         private void PassOnProblems(IFrameSource source, ref int passedOn)

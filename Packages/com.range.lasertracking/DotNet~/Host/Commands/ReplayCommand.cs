@@ -1,0 +1,66 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Threading;
+using System.Threading.Tasks;
+using LaserTracking.Capture;
+using LaserTracking.Geometry;
+using LaserTracking.Host.Scenes;
+using LaserTracking.Host.Sessions;
+using LaserTracking.Host.Sources;
+using LaserTracking.Scoring;
+using LaserTracking.Session;
+
+namespace LaserTracking.Host.Commands
+{
+    /// <summary>range replay: runs the pipeline over recorded frames.</summary>
+    internal static class ReplayCommand
+    {
+        public static Command Create()
+        {
+            var input = new Argument<string>("INPUT") { Description = "An Azure Kinect recording, any video that ffmpeg reads, or a folder of numbered images." };
+            var hand = new Option<string?>("--hand") { Description = "The second camera's recording: who fired, from where." };
+            var handOffset = new Option<long>("--hand-offset-us") { Description = "Added to the second camera's times, microseconds." };
+            var calibration = new Option<string?>("--calibration") { Description = "Where the screen lies in the image (made by 'calibrate screen')." };
+            var scene = new Option<string?>("--scene") { Description = "The Unity scene (.unity) that was shown: shots are scored against it." };
+            var detector = new Option<string>("--detector") { Description = "shots, or paper: the published algorithm, faithfully.", DefaultValueFactory = _ => "shots" };
+            var events = new Option<string?>("--events") { Description = "Writes events.jsonl there; - is standard output." };
+            var dots = new Option<string?>("--dots") { Description = "Writes every tracked dot in every frame there." };
+            var report = new Option<string?>("--report") { Description = "Writes report.html into this folder." };
+            var paced = new Option<bool>("--paced") { Description = "Runs at the recording's own speed." };
+            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, detector, events, dots, report, paced };
+            command.SetAction((parsed, interrupted) =>
+            {
+                RangeSession.CreateDetector(parsed.GetValue(detector)!);
+                string name = parsed.GetValue(input)!;
+                string? handName = parsed.GetValue(hand), calibrationName = parsed.GetValue(calibration), sceneName = parsed.GetValue(scene);
+                RangeCalibration? geometry = calibrationName == null ? null : RangeCalibrationFile.Read(calibrationName);
+                SceneModel? model = sceneName == null ? null : UnitySceneReader.Read(sceneName);
+                if (model != null && geometry == null)
+                    throw new InputException(sceneName!, "a scene needs the screen's place in the image", "add --calibration FILE");
+                if (handName != null && geometry?.HandCamera == null)
+                    throw new InputException(handName, "the second camera's place is not known", "add --calibration FILE with a hand_camera");
+                using IFrameSource screenCamera = new PrefetchingFrameSource(FrameSources.OpenColor(name));
+                using IFrameSource? handCamera = handName == null ? null : new PrefetchingFrameSource(FrameSources.OpenDepth(handName));
+                var inputs = new List<SessionInput> { InputHash.Of(name) };
+                if (handName != null)
+                    inputs.Add(InputHash.Of(handName));
+                var plan = new SessionPlan
+                {
+                    ScreenCamera = screenCamera,
+                    HandCamera = handCamera,
+                    HandClockOffsetUs = parsed.GetValue(handOffset),
+                    Calibration = geometry,
+                    CalibrationName = calibrationName,
+                    Scene = model,
+                    Detector = parsed.GetValue(detector)!,
+                    Inputs = inputs,
+                    IsPaced = parsed.GetValue(paced),
+                };
+                var outputs = new SessionOutputs(parsed.GetValue(events), parsed.GetValue(dots), parsed.GetValue(report));
+                return Task.FromResult(outputs.Run(plan, "Replay of " + name, interrupted));
+            });
+            return command;
+        }
+    }
+}

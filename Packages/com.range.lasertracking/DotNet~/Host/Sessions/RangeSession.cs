@@ -1,0 +1,99 @@
+using System;
+using System.Diagnostics;
+using System.Reflection;
+using System.Threading;
+using LaserTracking.Capture;
+using LaserTracking.Detection;
+using LaserTracking.Fusion;
+using LaserTracking.Geometry;
+using LaserTracking.Hands;
+using LaserTracking.Host.Terminal;
+using LaserTracking.Pipeline;
+using LaserTracking.Scoring;
+using LaserTracking.Session;
+using LaserTracking.Tracking;
+
+namespace LaserTracking.Host.Sessions
+{
+    /// <summary>Builds the pipeline for a plan and runs it to the end of its sources.</summary>
+    internal static class RangeSession
+    {
+        public static string Version { get; } = typeof(RangeSession).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion.Split('+')[0];
+
+        /// <summary>The detectors by the names of the command line.</summary>
+        public static IShotDetector CreateDetector(string name) => name switch
+        {
+            "shots" => new ShotDetector(),
+            "paper" => new PaperShotDetector(),
+            _ => throw new InputException("--detector", $"there is no detector \"{name}\"", "known are shots and paper"),
+        };
+
+        /// <summary>True when the end was reached, false when it was interrupted; the sink's session is ended in both cases.</summary>
+        public static bool Run(SessionPlan plan, IEventSink sink, CancellationToken interrupted)
+        {
+            HandCamera? handCamera = plan.HandCamera == null ? null : plan.Calibration?.HandCamera;
+            var pipeline = new RangePipeline(
+                CreateDetector(plan.Detector),
+                new ShotTracker(),
+                plan.Calibration,
+                handCamera == null ? null : new DepthHandTracker(handCamera.Intrinsics),
+                handCamera == null ? null : new ShooterAssignment(handCamera),
+                plan.Scene == null ? null : new ShotScorer(plan.Scene),
+                sink,
+                new PipelineSettings { SceneTimeZeroUs = plan.SceneTimeZeroUs });
+            pipeline.Begin(new SessionHeader(Version, plan.Inputs, plan.CalibrationName, plan.Detector, plan.Seed));
+
+            var watch = Stopwatch.StartNew();
+            using var progress = new ProgressLine();
+            var runner = new SessionRunner(pipeline, plan.ScreenCamera, plan.HandCamera, plan.HandClockOffsetUs);
+            var pace = new Pace(plan.IsPaced, interrupted);
+            runner.BeforeFrame = frame =>
+            {
+                pace.WaitFor(frame.TimeUs);
+                progress.Show(ProgressText(frame, plan.ScreenCamera.Info, watch));
+            };
+            bool isComplete = runner.Run(interrupted);
+            pipeline.End(watch.Elapsed.TotalSeconds);
+            return isComplete;
+        }
+
+        private static string ProgressText(Frame frame, FrameSourceInfo info, Stopwatch watch)
+        {
+            double perSecond = (frame.Index + 1) / Math.Max(1e-3, watch.Elapsed.TotalSeconds);
+            string total = info.DurationUs is { } duration && info.NominalFramesPerSecond > 0
+                ? FormattableString.Invariant($" of about {duration * 1e-6 * info.NominalFramesPerSecond:F0}")
+                : string.Empty;
+            return FormattableString.Invariant($"frame {frame.Index + 1}{total}, {perSecond:F0} a second");
+        }
+
+        /// <summary>Lets frames through at the speed of their own clock.</summary>
+        private sealed class Pace
+        {
+            private readonly bool _isOn;
+            private readonly CancellationToken _interrupted;
+            private readonly Stopwatch _watch = new();
+            private long _firstTimeUs;
+
+            public Pace(bool isOn, CancellationToken interrupted)
+            {
+                _isOn = isOn;
+                _interrupted = interrupted;
+            }
+
+            public void WaitFor(long timeUs)
+            {
+                if (!_isOn)
+                    return;
+                if (!_watch.IsRunning)
+                {
+                    _firstTimeUs = timeUs;
+                    _watch.Start();
+                }
+
+                long aheadMs = (timeUs - _firstTimeUs) / 1000 - _watch.ElapsedMilliseconds;
+                if (aheadMs > 0)
+                    _interrupted.WaitHandle.WaitOne((int)Math.Min(aheadMs, 60_000));
+            }
+        }
+    }
+}

@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Threading;
+using LaserTracking.Session;
+using LaserTracking.Session.Report;
+
+namespace LaserTracking.Host.Sessions
+{
+    /// <summary>Where a session's results go: files that appear only when they are whole, and a table on standard output.</summary>
+    internal sealed class SessionOutputs
+    {
+        private readonly string? _events;
+        private readonly string? _dots;
+        private readonly string? _reportFolder;
+
+        /// <param name="events">File for events.jsonl, "-" for standard output, or null.</param>
+        /// <param name="dots">File for every tracked dot, or null.</param>
+        /// <param name="reportFolder">Folder for report.html, or null.</param>
+        public SessionOutputs(string? events, string? dots, string? reportFolder)
+        {
+            _events = events;
+            _dots = dots;
+            _reportFolder = reportFolder;
+        }
+
+        /// <summary>A picture of the projected screen for the report, PNG; null: plain.</summary>
+        public byte[]? BackgroundPng { get; set; }
+
+        /// <summary>Runs the plan and writes everything that was asked for; returns the exit code.</summary>
+        public int Run(SessionPlan plan, string title, CancellationToken interrupted)
+        {
+            using ResultFile? events = _events == null ? null : new ResultFile(_events);
+            using ResultFile? dots = _dots == null ? null : new ResultFile(_dots);
+            var recorder = new SessionRecorder();
+            var sinks = new List<IEventSink> { recorder };
+            if (events != null)
+                sinks.Add(new JsonLinesSink(events.Stream));
+            if (dots != null)
+                sinks.Add(new JsonLinesSink(dots.Stream, EventTypes.Dot));
+
+            bool isComplete = RangeSession.Run(plan, new EventSinkGroup(sinks), interrupted);
+            events?.Commit();
+            dots?.Commit();
+            if (_reportFolder != null)
+                WriteReport(plan, recorder, title);
+            if (_events != "-")
+                ShotTable.Print(recorder, plan);
+            return isComplete ? ExitCodes.Done : ExitCodes.Interrupted;
+        }
+
+        private void WriteReport(SessionPlan plan, SessionRecorder recorder, string title)
+        {
+            using var file = new ResultFile(Path.Combine(_reportFolder!, "report.html"));
+            var options = new ReportOptions
+            {
+                Title = title,
+                Scene = plan.Scene,
+                SceneZeroTimeUs = plan.SceneTimeZeroUs,
+                ScreenSizeM = plan.Calibration?.Screen.ScreenSizeM,
+                ImageSizePx = new Geometry.Vector2D(plan.ScreenCamera.Info.Width, plan.ScreenCamera.Info.Height),
+                BackgroundPng = BackgroundPng,
+            };
+            file.Stream.Write(ReportBuilder.BuildUtf8(recorder, options));
+            file.Commit();
+        }
+    }
+}
