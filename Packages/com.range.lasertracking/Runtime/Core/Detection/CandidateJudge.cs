@@ -39,8 +39,10 @@ namespace LaserTracking.Detection
                 return;
             _blobs.Grow(view, ref candidate);
             if (Fails(ref candidate, candidate.Area > _settings.MaxAreaPx * area, RejectionReason.TooLarge, candidate.Area / area, _settings.MaxAreaPx)
-                || Fails(ref candidate, candidate.Area < _settings.MinAreaPx * area, RejectionReason.TooSmall, candidate.Area / area, _settings.MinAreaPx)
-                || Fails(ref candidate, candidate.Compactness < _settings.MinCompactness, RejectionReason.NotCompact, candidate.Compactness, _settings.MinCompactness))
+                || Fails(ref candidate, candidate.Area < _settings.MinAreaPx * area, RejectionReason.TooSmall, candidate.Area / area, _settings.MinAreaPx))
+                return;
+            double minCompactness = rise < _settings.ConclusiveRise ? _settings.MinFaintCompactness : _settings.MinCompactness;
+            if (Fails(ref candidate, candidate.Compactness < minCompactness, RejectionReason.NotCompact, candidate.Compactness, minCompactness))
                 return;
             candidate.Strength = candidate.PeakRise * Math.Sqrt(candidate.Area / area);
             double minStrength = _settings.MinStrength + _settings.StrengthPerActivity * candidate.Activity;
@@ -54,7 +56,7 @@ namespace LaserTracking.Detection
             double fresh = view.Change(seed, candidate.Plane) / (double)candidate.PeakRise;
             candidate.IsOnset = fresh >= 0.5;
             SurroundingsMeasurer.ColorRise(view, ref candidate);
-            if (!candidate.IsOnset && memory.TryFind(candidate, out known))
+            if (memory.TryFind(candidate, out known))
             {
                 candidate.IsConclusive = known.IsConclusive;
                 Fails(ref candidate, !known.IsConclusive && known.Frames > _settings.MaxWaitFrames, RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
@@ -65,10 +67,14 @@ namespace LaserTracking.Detection
                 return;
             if (Fails(ref candidate, candidate.Freshness < 0.5, RejectionReason.NotNew, candidate.Freshness, 0.5))
                 return;
-            SurroundingsMeasurer.Ring(view, ref candidate);
+            bool isVivid = candidate.Freshness >= _settings.VividFreshness;
+            bool isBlunt = !isVivid && candidate.Area > _settings.ConclusiveAreaPx * area;
+            if (Fails(ref candidate, isBlunt && elongation > _settings.MaxLargeElongation, RejectionReason.TooElongated, elongation, _settings.MaxLargeElongation))
+                return;
+            SurroundingsMeasurer.Ring(view, ref candidate, Noise);
             if (Fails(ref candidate, candidate.RingShare > _settings.MaxRingShare, RejectionReason.NotIsolated, candidate.RingShare, _settings.MaxRingShare))
                 return;
-            double maxLevel = candidate.Freshness >= _settings.VividFreshness ? _settings.MaxVividRingLevel : _settings.MaxRingLevel;
+            double maxLevel = isVivid ? _settings.MaxVividRingLevel : _settings.MaxRingLevel;
             if (Fails(ref candidate, candidate.RingLevel > maxLevel, RejectionReason.NotIsolated, candidate.RingLevel, maxLevel))
                 return;
             candidate.MotionShare = SurroundingsMeasurer.MotionShare(view, candidate, (int)(_settings.MotionRadiusPx * Scale), Noise);
@@ -77,8 +83,7 @@ namespace LaserTracking.Detection
                 return;
             candidate.IsConclusive = !isLargest && rise >= _settings.ConclusiveRise && candidate.RingShare <= _settings.ConclusiveRingShare
                 && candidate.RingLevel <= _settings.ConclusiveRingLevel && candidate.MotionShare <= _settings.ConclusiveMotionShare
-                && elongation <= _settings.ConclusiveElongation
-                && (candidate.Area <= _settings.ConclusiveAreaPx * area || candidate.Freshness >= _settings.VividFreshness);
+                && elongation <= _settings.ConclusiveElongation && !isBlunt;
         }
 
         private static bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit)

@@ -13,6 +13,7 @@ namespace LaserTracking.Detection
         private readonly byte[][] _smallest = { Array.Empty<byte>(), Array.Empty<byte>() };
         private readonly byte[][] _largest = { Array.Empty<byte>(), Array.Empty<byte>() };
         private byte[] _columns = Array.Empty<byte>();
+        private uint[] _rows = Array.Empty<uint>();
         private int _sourceWidth;
         private int _sourceHeight;
         private PixelFormat _format;
@@ -65,17 +66,19 @@ namespace LaserTracking.Detection
             }
 
             _columns = new byte[2 * Width];
+            _rows = new uint[4 * Width];
             SmallestTiles.Resize(Width, Height);
             LargestTiles.Resize(Width, Height);
             FrameCount = 0;
             return true;
         }
 
-        /// <summary>Takes a frame in. The first one only fills the past.</summary>
-        public void Update(Image image, int decay, bool useVectors)
+        /// <summary>Takes a frame in, smoothed if it is that noisy. The first one only fills the past.</summary>
+        public void Update(Image image, int decay, bool smooth, bool useVectors)
         {
             _turn = 1 - _turn;
             fixed (uint* picture = Now)
+            fixed (uint* rows = _rows)
             fixed (byte* oldMin = OldSmallest, newMin = NewSmallest, oldMax = OldLargest, newMax = NewLargest, columns = _columns)
             {
                 for (int top = 0; top < Height; top += TileGrid.Size)
@@ -85,7 +88,10 @@ namespace LaserTracking.Detection
                     for (int y = top; y < bottom; y++)
                     {
                         long row = (long)y * Width;
-                        ReductionKernel.Row(image, y, Factor, picture + row, useVectors);
+                        if (smooth)
+                            SmoothRow(image, y, rows, picture + row, useVectors);
+                        else
+                            ReductionKernel.Row(image, y, Factor, picture + row, useVectors);
                         EnvelopeKernel.Row(picture + row, Width, (byte)decay, oldMin + row, newMin + row, oldMax + row, newMax + row, columns, columns + Width, useVectors);
                     }
 
@@ -95,6 +101,20 @@ namespace LaserTracking.Detection
             }
 
             FrameCount++;
+        }
+
+        /// <summary>Keeps the last three reduced and horizontally smoothed rows; the fourth holds the one being reduced.</summary>
+        private void SmoothRow(Image image, int y, uint* rows, uint* target, bool useVectors)
+        {
+            for (int next = y == 0 ? 0 : y + 1; next <= Math.Min(y + 1, Height - 1); next++)
+            {
+                ReductionKernel.Row(image, next, Factor, rows + 3 * Width, useVectors);
+                SmoothingKernel.Horizontal(rows + 3 * Width, Width, rows + next % 3 * Width, useVectors);
+            }
+
+            uint* above = rows + Math.Max(0, y - 1) % 3 * Width;
+            uint* below = rows + Math.Min(Height - 1, y + 1) % 3 * Width;
+            SmoothingKernel.Vertical(above, rows + y % 3 * Width, below, Width, target, useVectors);
         }
     }
 }

@@ -13,7 +13,14 @@ namespace LaserTracking.Detection
         /// <summary>Standard deviation of one frame, levels; never below half a level, the rounding's share.</summary>
         public double Sigma { get; private set; } = 1;
 
-        public void Reset() => _isFirst = true;
+        public void Reset()
+        {
+            _isFirst = true;
+            Sigma = 1;
+        }
+
+        /// <summary>The picture's treatment has changed its noise by this factor.</summary>
+        public void Scale(double factor) => Sigma *= factor;
 
         public void Update(in FrameView view)
         {

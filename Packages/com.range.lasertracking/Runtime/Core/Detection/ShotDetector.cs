@@ -26,6 +26,7 @@ namespace LaserTracking.Detection
         private readonly Candidate[] _seeds;
         private readonly int[] _seedOrder;
         private int _candidateCount;
+        private bool _isSmooth;
 
         /// <param name="settings">Defaults when absent. Copied.</param>
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
@@ -59,7 +60,17 @@ namespace LaserTracking.Detection
             detections.ImageWidthPx = image.Width;
             if (_planes.Fit(image, _settings.FullSizeMaxWidthPx))
                 Restart();
-            _planes.Update(image, _settings.EnvelopeDecay, _settings.UseVectors);
+            
+            // Noise of the raw picture decides, with a gap between on and off: a smoothed picture has three eighths of it.
+            double rawNoise = _isSmooth ? _noise.Sigma / 0.375 : _noise.Sigma;
+            bool isSmooth = rawNoise > (_isSmooth ? 0.8 : 1) * _settings.SmoothingNoise;
+            if (isSmooth != _isSmooth)
+            {
+                _isSmooth = isSmooth;
+                _noise.Scale(isSmooth ? 0.375 : 1 / 0.375);
+            }
+
+            _planes.Update(image, _settings.EnvelopeDecay, _isSmooth, _settings.UseVectors);
             if (_planes.FrameCount == 2)
             {
                 _planes.SmallestTiles.LearnAtOnce();
@@ -96,6 +107,7 @@ namespace LaserTracking.Detection
             _blobs.Resize(_planes.Width * _planes.Height, (int)(_settings.MaxAreaPx * _judge.Scale * _judge.Scale) + 1);
             _memory.Clear();
             _noise.Reset();
+            _isSmooth = false;
         }
 
         private void Search(Image image, in FrameView view, Detections detections)

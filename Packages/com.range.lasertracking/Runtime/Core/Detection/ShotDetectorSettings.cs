@@ -15,6 +15,9 @@ namespace LaserTracking.Detection
         /// <summary>Levels a frame by which the remembered brightness of a pixel fades, 1…64.</summary>
         public int EnvelopeDecay { get; set; } = 6;
 
+        /// <summary>Temporal noise from which the picture is smoothed before the search, levels (one standard deviation), 0…255.</summary>
+        public double SmoothingNoise { get; set; } = 2.5;
+
         /// <summary>Least rise of a candidate, levels, 1…255.</summary>
         public double MinRiseLevels { get; set; } = 8;
 
@@ -36,8 +39,14 @@ namespace LaserTracking.Detection
         /// <summary>Least area through that of the ellipse with the same second moments, 0…1.</summary>
         public double MinCompactness { get; set; } = 0.5;
 
+        /// <summary>The same where the rise would not be conclusive.</summary>
+        public double MinFaintCompactness { get; set; } = 0.7;
+
         /// <summary>Largest length through width, 1…100.</summary>
         public double MaxElongation { get; set; } = 12;
+
+        /// <summary>The same for a candidate that is neither vivid nor small enough for one frame to suffice.</summary>
+        public double MaxLargeElongation { get; set; } = 1.8;
 
         /// <summary>The same for a candidate that only the largest channel shows: faint streaks look like moving edges.</summary>
         public double MaxFaintElongation { get; set; } = 2.5;
@@ -85,7 +94,7 @@ namespace LaserTracking.Detection
         public double MinStrength { get; set; } = 60;
 
         /// <summary>What each level of the tile's ordinary activity adds to the least strength, px at 640, 0…1000.</summary>
-        public double StrengthPerActivity { get; set; } = 20;
+        public double StrengthPerActivity { get; set; } = 25;
 
         /// <summary>Frames that a dot which is not conclusive may stay on before it is taken for scenery, 1…60.</summary>
         public int MaxWaitFrames { get; set; } = 5;
@@ -101,6 +110,7 @@ namespace LaserTracking.Detection
         {
             SettingCheck.InRange(nameof(FullSizeMaxWidthPx), FullSizeMaxWidthPx, 1, 16384);
             SettingCheck.InRange(nameof(EnvelopeDecay), EnvelopeDecay, 1, 64);
+            SettingCheck.InRange(nameof(SmoothingNoise), SmoothingNoise, 0, 255);
             SettingCheck.InRange(nameof(MinRiseLevels), MinRiseLevels, 1, 255);
             SettingCheck.InRange(nameof(MinRiseSigmas), MinRiseSigmas, 0, 100);
             SettingCheck.InRange(nameof(MinRise), MinRise, 0, 1);
@@ -108,6 +118,8 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MinAreaPx), MinAreaPx, 0, 10000);
             SettingCheck.InRange(nameof(MaxAreaPx), MaxAreaPx, 1, 100000);
             SettingCheck.InRange(nameof(MinCompactness), MinCompactness, 0, 1);
+            SettingCheck.InRange(nameof(MinFaintCompactness), MinFaintCompactness, 0, 1);
+            SettingCheck.InRange(nameof(MaxLargeElongation), MaxLargeElongation, 1, 100);
             SettingCheck.InRange(nameof(MaxElongation), MaxElongation, 1, 100);
             SettingCheck.InRange(nameof(MaxFaintElongation), MaxFaintElongation, 1, 100);
             SettingCheck.InRange(nameof(ConclusiveElongation), ConclusiveElongation, 1, 100);

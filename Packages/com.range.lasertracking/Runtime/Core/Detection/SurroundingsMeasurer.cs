@@ -6,7 +6,7 @@ namespace LaserTracking.Detection
     internal static unsafe class SurroundingsMeasurer
     {
         /// <summary>Share of the ring around the box in which the rise is at least half the candidate's own.</summary>
-        public static void Ring(in FrameView view, ref Candidate candidate)
+        public static void Ring(in FrameView view, ref Candidate candidate, double noise)
         {
             int* histogram = stackalloc int[256];
             for (int i = 0; i < 256; i++)
@@ -47,7 +47,9 @@ namespace LaserTracking.Detection
                     break;
             }
 
-            candidate.RingLevel = level / (double)candidate.PeakRelativeRise;
+            // What noise alone lifts a tenth of the ring by is not the candidate's doing.
+            double perLevel = candidate.PeakRelativeRise / (double)candidate.PeakRise;
+            candidate.RingLevel = Math.Max(0, level - 1.5 * noise * perLevel) / candidate.PeakRelativeRise;
         }
 
         /// <summary>Share of every second pixel of every second row within the radius, the dot and its halo left out, that changed.</summary>

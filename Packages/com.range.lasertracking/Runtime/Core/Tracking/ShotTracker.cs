@@ -250,7 +250,7 @@ namespace LaserTracking.Tracking
             {
                 // What grows dimmer is on its way out, and what is too faint is nothing.
                 bool isFading = candidate.Reason == RejectionReason.NotNew && candidate.Value < -0.2;
-                if (!isFading && candidate.Reason != RejectionReason.TooFaint)
+                if (!isFading && candidate.Reason != RejectionReason.TooFaint && candidate.Reason != RejectionReason.TooSmall)
                     nearest = Math.Min(nearest, (candidate.PositionPx - at).Length);
             }
 

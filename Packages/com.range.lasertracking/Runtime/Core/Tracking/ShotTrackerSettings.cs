@@ -25,7 +25,7 @@ namespace LaserTracking.Tracking
         /// A rejected candidate within this of a waiting dot, in the frame where it should have vanished, says that it did not vanish
         /// sharply, px at 640, 0…640.
         /// </summary>
-        public double VanishRadiusPx { get; set; } = 8;
+        public double VanishRadiusPx { get; set; } = 5;
 
         /// <exception cref="ArgumentException">A value is outside its range or NaN; the message names it.</exception>
         public void Validate()
