@@ -44,11 +44,11 @@ namespace UnityEngine
             set => localRotation = _parent == null ? value : Quaternion.Inverse(_parent.rotation) * value;
         }
 
-        public Vector3 forward => rotation * Vector3.forward;
-
-        public Vector3 right => rotation * Vector3.right;
-
-        public Vector3 up => rotation * Vector3.up;
+        public Vector3 forward
+        {
+            get => rotation * Vector3.forward;
+            set => rotation = Quaternion.LookRotation(value);
+        }
 
         public Matrix4x4 localToWorldMatrix
         {

@@ -1,0 +1,4 @@
+using System.Runtime.CompilerServices;
+
+[assembly: InternalsVisibleTo("Range.LaserTracking.Tests")]
+[assembly: InternalsVisibleTo("UnityTests")]
