@@ -6,7 +6,7 @@ namespace LaserTracking.Session
 {
     /// <summary>
     /// Each event as its line of events.jsonl: names, order and rounding of the fields. Fields are only ever added. Rounding is
-    /// well below what can be measured: pixels 0.1 µpx for covariances and 0.0001 px else, metres 10 µm, probabilities 0.0001.
+    /// well below what can be measured: 0.0001 px, 10 µm, probabilities 0.0001.
     /// </summary>
     internal static class EventLines
     {
@@ -34,11 +34,7 @@ namespace LaserTracking.Session
             json.EndArray();
             Member(json, "calibration", header.Calibration);
             Member(json, "detector", header.Detector);
-            json.Name("seed");
-            if (header.Seed is long seed)
-                json.Number(seed);
-            else
-                json.Null();
+            Member(json, "seed", header.Seed);
             End(json);
         }
 
@@ -229,10 +225,13 @@ namespace LaserTracking.Session
         private static void Hand(Utf8JsonLineWriter json, HandSide side) =>
             Member(json, "hand", side == HandSide.Unknown ? null : EventWords.Of(side));
 
-        private static void Member(Utf8JsonLineWriter json, string name, long value)
+        private static void Member(Utf8JsonLineWriter json, string name, long? value)
         {
             json.Name(name);
-            json.Number(value);
+            if (value.HasValue)
+                json.Number(value.Value);
+            else
+                json.Null();
         }
 
         private static void Member(Utf8JsonLineWriter json, string name, double value, int decimals)

@@ -15,7 +15,7 @@ namespace LaserTracking.Session
         /// <summary>By the host's clock; the only value that differs between two runs.</summary>
         public double SecondsWall;
 
-        /// <summary>Time of the first frame, microseconds on the recording's clock: where a report's seconds begin.</summary>
-        public long StartTimeUs;
+        /// <summary>Time of the first frame, microseconds on the recording's clock: where a report's seconds begin; null when not known.</summary>
+        public long? StartTimeUs;
     }
 }
