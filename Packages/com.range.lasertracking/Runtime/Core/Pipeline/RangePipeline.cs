@@ -135,6 +135,7 @@ namespace LaserTracking.Pipeline
                 Dropped = _dropped,
                 SecondsMedia = (_lastTimeUs - _firstTimeUs) * 1e-6,
                 SecondsWall = secondsWall,
+                StartTimeUs = _frames > 0 ? _firstTimeUs : (long?)null,
             });
         }
 
