@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using LaserTracking.Session;
-using LaserTracking.Session.Report;
 
 namespace LaserTracking.Host.Sessions
 {
