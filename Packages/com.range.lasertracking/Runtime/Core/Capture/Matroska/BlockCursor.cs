@@ -35,6 +35,16 @@ namespace LaserTracking.Capture.Matroska
         private bool _nextIsKnown;
         private bool _hasNext;
 
+        // The longest stretch without a block of this track that was met going each way: a track with few or no blocks would
+        // otherwise be searched through the whole file after every seek.
+        private long _emptyAheadFrom = long.MaxValue;
+        private long _emptyAheadTo;
+        private MatroskaBlock _afterEmpty;
+        private MatroskaCluster _afterEmptyCluster;
+        private long _emptyBehindFrom = long.MaxValue;
+        private long _emptyBehindTo;
+        private MatroskaBlock _beforeEmpty;
+
         public BlockCursor(EbmlReader reader, ClusterMap clusters, ProblemLog problems, long track, long timecodeScale)
         {
             _reader = reader;
@@ -141,6 +151,32 @@ namespace LaserTracking.Capture.Matroska
         {
             if (!_hasCluster)
                 return false;
+            if (_gap >= _emptyAheadFrom && _gap <= _emptyAheadTo)
+            {
+                _next = _afterEmpty;
+                _nextCluster = _afterEmptyCluster;
+                if (_emptyAheadTo == long.MaxValue)
+                    return false;
+                _clusters.Verify(ref _nextCluster);
+                _next.IsSuspect = _nextCluster.ChecksumMismatch;
+                return true;
+            }
+
+            bool isFound = SearchAhead();
+            long end = isFound ? _next.ElementOffset : long.MaxValue;
+            if ((!isFound || _nextCluster.Offset != _cluster.Offset) && end - _gap > _emptyAheadTo - _emptyAheadFrom)
+            {
+                _emptyAheadFrom = _gap;
+                _emptyAheadTo = end;
+                _afterEmpty = _next;
+                _afterEmptyCluster = _nextCluster;
+            }
+
+            return isFound;
+        }
+
+        private bool SearchAhead()
+        {
             _nextCluster = _cluster;
             long position = _gap;
             while (true)
@@ -165,6 +201,25 @@ namespace LaserTracking.Capture.Matroska
         {
             if (!_hasCluster)
                 return;
+            if (_gap >= _emptyBehindFrom && _gap <= _emptyBehindTo)
+            {
+                if (_emptyBehindFrom > 0)
+                    Remember(_beforeEmpty);
+                return;
+            }
+
+            bool isFound = SearchBehind();
+            long start = isFound ? _behind![_behindTop].ElementEnd : 0;
+            if ((!isFound || _behind![_behindTop].ClusterOffset != _cluster.Offset) && _gap - start > _emptyBehindTo - _emptyBehindFrom)
+            {
+                _emptyBehindFrom = start;
+                _emptyBehindTo = _gap;
+                _beforeEmpty = isFound ? _behind![_behindTop] : default;
+            }
+        }
+
+        private bool SearchBehind()
+        {
             MatroskaCluster cluster = _cluster;
             long end = _gap;
             while (true)
@@ -178,7 +233,7 @@ namespace LaserTracking.Capture.Matroska
                 }
 
                 if (_behindCount > 0 || !_clusters.TryPrevious(cluster, out MatroskaCluster previous))
-                    return;
+                    return _behindCount > 0;
                 _clusters.Verify(ref previous);
                 cluster = previous;
                 end = cluster.BlocksEnd;

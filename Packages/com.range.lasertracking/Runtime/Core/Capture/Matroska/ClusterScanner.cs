@@ -42,7 +42,7 @@ namespace LaserTracking.Capture.Matroska
             cluster.TimeNs = long.MinValue;
             cluster.DeclaredEnd = element.SizeIsKnown && element.End <= _segmentEnd ? element.End : -1;
             long end = WalkChildren(ref cluster, cluster.DataOffset, out string? damage);
-            if (damage == null && end == cluster.DeclaredEnd && IsBlockAt(end))
+            if (damage == null && end == cluster.DeclaredEnd && IsClusterChildAt(end))
             {
                 Report(offset, "this cluster is longer than its size says; its blocks are used as far as they are whole");
                 cluster.DeclaredEnd = -1;
@@ -205,10 +205,15 @@ namespace LaserTracking.Capture.Matroska
                 ? element.Size == 0 || element.DataOffset == _segmentEnd
                 : MatroskaIds.MayBeginCluster(child.Id));
 
-        private bool IsBlockAt(long position) =>
-            _reader.TryReadElement(position, _segmentEnd, out EbmlElement element)
-            && (element.Id == MatroskaIds.SimpleBlock || element.Id == MatroskaIds.BlockGroup)
-            && element.End <= _segmentEnd;
+        /// <summary>Something stands there that only a cluster holds.</summary>
+        private bool IsClusterChildAt(long position)
+        {
+            if (!_reader.TryReadElement(position, _segmentEnd, out EbmlElement element) || element.End > _segmentEnd)
+                return false;
+            if (element.Id == MatroskaIds.Crc32)
+                return _reader.TryReadElement(element.End, _segmentEnd, out EbmlElement next) && next.Id == MatroskaIds.Timecode;
+            return element.Id == MatroskaIds.SimpleBlock || element.Id == MatroskaIds.BlockGroup || element.Id == MatroskaIds.Timecode;
+        }
 
         private void ReportDamage(in MatroskaCluster cluster, long position, string damage)
         {

@@ -12,19 +12,23 @@ namespace LaserTracking.Capture.Matroska
     internal sealed class EbmlReader
     {
         private const int PageSize = 4096;
-        private const int PageCount = 16;
+        private const int MaxPages = 16;
         private const int MaxHeadLength = 12;
         private const int MaxStringLength = 1 << 14;
 
         private readonly Stream _stream;
-        private readonly byte[] _pages = new byte[PageSize * PageCount];
-        private readonly long[] _pageOffsets = new long[PageCount];
-        private readonly int[] _pageLengths = new int[PageCount];
+        private readonly byte[] _pages;
+        private readonly long[] _pageOffsets;
+        private readonly int[] _pageLengths;
 
         public EbmlReader(Stream stream)
         {
             _stream = stream;
             Length = stream.Length;
+            int count = (int)Math.Max(1, Math.Min(MaxPages, (Length + PageSize - 1) / PageSize));
+            _pages = new byte[count * PageSize];
+            _pageOffsets = new long[count];
+            _pageLengths = new int[count];
             Array.Fill(_pageOffsets, -1);
         }
 
@@ -106,7 +110,7 @@ namespace LaserTracking.Capture.Matroska
         private ReadOnlySpan<byte> PageFrom(long offset)
         {
             long page = offset / PageSize;
-            int slot = (int)(page % PageCount);
+            int slot = (int)(page % _pageOffsets.Length);
             if (_pageOffsets[slot] != page * PageSize)
             {
                 _pageLengths[slot] = ReadStream(page * PageSize, _pages.AsSpan(slot * PageSize, PageSize));
