@@ -53,7 +53,7 @@ public sealed class ImageFolderSourceTests
             Assert.That(brightness[index], Is.InRange(expected - 1, expected + 1));
         Assert.That(problems.Select(problem => problem.FrameIndex), Is.EquivalentTo(new[] { 1, 3, 4 }));
         Assert.That(problems.Single(problem => problem.FrameIndex == 3).What, Does.Contain("32×16"));
-        Assert.That(problems.Single(problem => problem.FrameIndex == 4).What, Does.Contain("5"));
+        Assert.That(problems.Single(problem => problem.FrameIndex == 4).What, Does.StartWith("number 5 is missing"));
     }
 
     [Test]

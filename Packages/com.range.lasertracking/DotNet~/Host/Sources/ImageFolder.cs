@@ -77,7 +77,7 @@ internal sealed class ImageFolder
             if (i == 0 || files[i - 1].Stem != files[i].Stem || files[i].Number is not long number || files[i - 1].Number is not long last)
                 continue;
             if (number > last + 1)
-                Report($"numbers {last + 1} to {number - 1} are missing before {_entries[i].Name}", i);
+                Report($"{(number == last + 2 ? $"number {last + 1} is" : $"numbers {last + 1} to {number - 1} are")} missing before {_entries[i].Name}", i);
             else if (number == last)
                 Report($"{_entries[i].Name} has the same number as {_entries[i - 1].Name}", i);
         }

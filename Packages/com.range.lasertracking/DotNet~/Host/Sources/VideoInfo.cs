@@ -18,7 +18,7 @@ public static class VideoInfo
         bool isShort = probe.ContainerFormat == "avi" && probe.DeclaredFrames > frames;
         if (isShort)
             problems.Add(new FrameProblem(-1, $"the video breaks off after {frames} of {probe.DeclaredFrames} frames"));
-        bool isTruncated = isShort || problem.Contains("ended prematurely") || problem.Contains("partial file");
+        bool isTruncated = isShort || VideoProbe.MeansCut(problem);
         return Describe("video", probe.Codec.ToUpperInvariant(), probe.Width, probe.Height, probe.FramesPerSecond, frames, probe.DurationUs,
             probe.StartUs, isTruncated, problems);
     }

@@ -79,6 +79,10 @@ internal sealed class VideoProbe
         return output.Split('\n').LongCount(line => line.Trim().Length > 0 && !line.Contains('D'));
     }
 
+    /// <summary>Whether a message of ffmpeg's says that the file ends too early.</summary>
+    public static bool MeansCut(string message) =>
+        message.Contains("ended prematurely", StringComparison.Ordinal) || message.Contains("partial file", StringComparison.Ordinal);
+
     /// <summary>How ffmpeg is told a path, whatever it looks like.</summary>
     public static string InputOf(string path) => "file:" + System.IO.Path.GetFullPath(path);
 

@@ -78,17 +78,18 @@ public sealed class VideoSource : IFrameSource
     private void End(bool isCut)
     {
         _ended = true;
-        int exitCode = _stream.WaitForExit();
+        isCut |= _stream.WaitForExit() != 0;
         string[] messages = _stream.Messages;
         if (messages.Length > 0)
         {
             string more = _stream.MessageCount > 1 ? $" (and {_stream.MessageCount - 1} more)" : "";
             _problems.Add(new FrameProblem(-1, "the decoder found damage: " + messages[0] + more));
+            isCut |= Array.Exists(messages, VideoProbe.MeansCut);
         }
 
         // Of containers that say how many frames they hold, AVI is the one that ffmpeg lets end early without a word.
         bool isShort = _probe.ContainerFormat == "avi" && _probe.DeclaredFrames > _nextIndex;
-        if (isCut || isShort || exitCode != 0)
+        if (isCut || isShort)
         {
             string declared = isShort ? $" of {_probe.DeclaredFrames}" : "";
             _problems.Add(new FrameProblem(-1, $"the video breaks off after {_nextIndex}{declared} frames", _nextIndex));
