@@ -1,7 +1,7 @@
 using System;
 using System.Diagnostics;
 using System.IO;
-using LaserTracking.Host.Sources;
+using LaserTracking.Host;
 using NUnit.Framework;
 
 namespace LaserTracking;
@@ -12,7 +12,7 @@ internal static class FfmpegForTests
     /// <summary>What the program wrote to its standard output.</summary>
     public static byte[] Run(params string[] arguments)
     {
-        string? program = Tools.Find("ffmpeg");
+        string? program = Prerequisites.Locate("ffmpeg");
         if (program == null)
             Assert.Ignore("ffmpeg is not installed");
         var start = new ProcessStartInfo(program!) { RedirectStandardOutput = true, RedirectStandardError = true };

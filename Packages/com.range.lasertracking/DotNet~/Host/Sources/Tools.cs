@@ -1,38 +1,38 @@
 using System;
-using System.IO;
+using System.Collections.Concurrent;
+using System.Diagnostics;
 
 namespace LaserTracking.Host.Sources;
 
-/// <summary>Programs outside .NET that the host makes use of.</summary>
-public static class Tools
+/// <summary>Programs outside .NET that reading videos needs.</summary>
+internal static class Tools
 {
-    /// <summary>Full path of a program on PATH (on Windows also with .exe), or null.</summary>
-    public static string? Find(string name)
-    {
-        string fileName = OperatingSystem.IsWindows() ? name + ".exe" : name;
-        foreach (string folder in (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator))
-        {
-            if (folder.Length == 0)
-                continue;
-            string candidate = Path.Combine(folder.Trim('"'), fileName);
-            if (File.Exists(candidate))
-                return candidate;
-        }
+    private static readonly ConcurrentDictionary<string, bool> KnowsFrameRateMode = new();
 
-        return null;
+    /// <summary>Full path of ffmpeg or ffprobe, which is needed to read <paramref name="source"/>.</summary>
+    /// <exception cref="InputException">It is not installed; the message names the command that installs it.</exception>
+    public static string Require(string program, string source)
+    {
+        if (Prerequisites.Locate(program) == null)
+            Prerequisites.InstallIfAsked("ffmpeg");
+        return Prerequisites.Locate(program) ?? throw new InputException(
+            source, $"reading this needs the program {program}, which is not on PATH", "install it with: " + Prerequisites.InstallCommand("ffmpeg"));
     }
 
-    /// <summary>Full path of a program that is needed to read <paramref name="source"/>.</summary>
-    /// <exception cref="InputException">It is not installed; the message names the command that installs it.</exception>
-    public static string Require(string name, string source) =>
-        Find(name) ?? throw new InputException(source, $"reading this needs the program {name}, which is not on PATH",
-            "install it with: " + InstallCommand("ffmpeg"));
+    /// <summary>The option that keeps every frame as it is, which was renamed in ffmpeg 5.1.</summary>
+    public static string PassthroughOption(string ffmpeg) => KnowsFrameRateMode.GetOrAdd(ffmpeg, AsksForFrameRateMode) ? "-fps_mode" : "-vsync";
 
-    /// <summary>The command that installs a package on this system.</summary>
-    public static string InstallCommand(string package)
+    private static bool AsksForFrameRateMode(string ffmpeg)
     {
-        if (OperatingSystem.IsWindows())
-            return "winget install " + package;
-        return (OperatingSystem.IsMacOS() ? "brew install " : "apt-get install ") + package;
+        var start = new ProcessStartInfo(ffmpeg) { RedirectStandardOutput = true, CreateNoWindow = true, ArgumentList = { "-version" } };
+        using Process process = Process.Start(start) ?? throw new InvalidOperationException("ffmpeg did not start");
+        string[] words = process.StandardOutput.ReadToEnd().Split(' ', 4);
+        process.WaitForExit();
+
+        // "ffmpeg version 4.4.2-0ubuntu0.22.04.1 Copyright…"; builds between releases have no such number and are young.
+        string[] numbers = words.Length > 2 ? words[2].Split('.', '-', '+') : [];
+        if (numbers.Length < 2 || !int.TryParse(numbers[0], out int major))
+            return true;
+        return major > 5 || (major == 5 && numbers[1] != "0");
     }
 }
