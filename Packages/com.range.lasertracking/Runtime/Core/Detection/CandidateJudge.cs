@@ -41,7 +41,8 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.Area > _settings.MaxAreaPx * area, RejectionReason.TooLarge, candidate.Area / area, _settings.MaxAreaPx)
                 || Fails(ref candidate, candidate.Area < _settings.MinAreaPx * area, RejectionReason.TooSmall, candidate.Area / area, _settings.MinAreaPx))
                 return;
-            double minCompactness = rise < _settings.ConclusiveRise ? _settings.MinFaintCompactness : _settings.MinCompactness;
+            bool isFaint = isLargest || rise < _settings.ConclusiveRise;
+            double minCompactness = isFaint ? _settings.MinFaintCompactness : _settings.MinCompactness;
             if (Fails(ref candidate, candidate.Compactness < minCompactness, RejectionReason.NotCompact, candidate.Compactness, minCompactness))
                 return;
             candidate.Strength = candidate.PeakRise * Math.Sqrt(candidate.Area / area);
@@ -49,9 +50,15 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.Strength < minStrength, RejectionReason.TooFaint, candidate.Strength, minStrength))
                 return;
             double elongation = candidate.LongSigma / candidate.ShortSigma;
-            double maxElongation = isLargest ? _settings.MaxFaintElongation : _settings.MaxElongation;
+            double maxElongation = isLargest ? _settings.MaxLargestElongation : isFaint ? _settings.MaxFaintElongation : _settings.MaxElongation;
             if (Fails(ref candidate, elongation > maxElongation, RejectionReason.TooElongated, elongation, maxElongation))
                 return;
+            JudgeSurroundings(view, ref candidate, memory, out known, isFaint, elongation);
+        }
+
+        private void JudgeSurroundings(
+            in FrameView view, ref Candidate candidate, DotMemory memory, out RememberedDot known, bool isFaint, double elongation)
+        {
             int seed = candidate.SeedY * view.Width + candidate.SeedX;
             double fresh = view.Change(seed, candidate.Plane) / (double)candidate.PeakRise;
             candidate.IsOnset = fresh >= 0.5;
@@ -63,27 +70,31 @@ namespace LaserTracking.Detection
                 return;
             }
 
-            if (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, fresh, 0.5))
+            double minFreshness = isFaint ? _settings.MinFaintFreshness : _settings.MinFreshness;
+            if (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, fresh, 0.5)
+                || Fails(ref candidate, candidate.Freshness < minFreshness, RejectionReason.NotNew, candidate.Freshness, minFreshness))
                 return;
-            if (Fails(ref candidate, candidate.Freshness < 0.5, RejectionReason.NotNew, candidate.Freshness, 0.5))
-                return;
-            bool isVivid = candidate.Freshness >= _settings.VividFreshness;
-            bool isBlunt = !isVivid && candidate.Area > _settings.ConclusiveAreaPx * area;
-            if (Fails(ref candidate, isBlunt && elongation > _settings.MaxLargeElongation, RejectionReason.TooElongated, elongation, _settings.MaxLargeElongation))
+
+            // Large dots are bright lasers: their rim has the colour of one. Large things without it are round at least, or no dots.
+            bool isVivid = candidate.Freshness >= _settings.VividFreshness && candidate.Strength >= _settings.VividStrength;
+            bool isBlunt = candidate.Freshness < _settings.VividFreshness && candidate.Area > _settings.ConclusiveAreaPx * Scale * Scale;
+            double coherence = Math.Abs(candidate.GreenCoherence);
+            if (Fails(ref candidate, isBlunt && elongation > _settings.MaxBluntElongation, RejectionReason.TooElongated, elongation, _settings.MaxBluntElongation)
+                || Fails(ref candidate, isBlunt && coherence < _settings.MinBluntCoherence, RejectionReason.WrongColor, coherence, _settings.MinBluntCoherence))
                 return;
             SurroundingsMeasurer.Ring(view, ref candidate, Noise);
-            if (Fails(ref candidate, candidate.RingShare > _settings.MaxRingShare, RejectionReason.NotIsolated, candidate.RingShare, _settings.MaxRingShare))
-                return;
-            double maxLevel = isVivid ? _settings.MaxVividRingLevel : _settings.MaxRingLevel;
-            if (Fails(ref candidate, candidate.RingLevel > maxLevel, RejectionReason.NotIsolated, candidate.RingLevel, maxLevel))
+            double maxShare = isFaint && !isVivid ? _settings.MaxFaintRingShare : _settings.MaxRingShare;
+            double maxLevel = isVivid ? _settings.MaxVividRingLevel : isFaint ? _settings.MaxFaintRingLevel : _settings.MaxRingLevel;
+            if (Fails(ref candidate, candidate.RingShare > maxShare, RejectionReason.NotIsolated, candidate.RingShare, maxShare)
+                || Fails(ref candidate, candidate.RingLevel > maxLevel, RejectionReason.NotIsolated, candidate.RingLevel, maxLevel))
                 return;
             candidate.MotionShare = SurroundingsMeasurer.MotionShare(view, candidate, (int)(_settings.MotionRadiusPx * Scale), Noise);
-            double maxMotion = isLargest ? _settings.ConclusiveMotionShare : _settings.MaxMotionShare;
+            double maxMotion = isFaint ? _settings.ConclusiveMotionShare : _settings.MaxMotionShare;
             if (Fails(ref candidate, candidate.MotionShare > maxMotion, RejectionReason.MovingSurroundings, candidate.MotionShare, maxMotion))
                 return;
-            candidate.IsConclusive = !isLargest && rise >= _settings.ConclusiveRise && candidate.RingShare <= _settings.ConclusiveRingShare
+            candidate.IsConclusive = !isFaint && !isBlunt && candidate.RingShare <= _settings.ConclusiveRingShare
                 && candidate.RingLevel <= _settings.ConclusiveRingLevel && candidate.MotionShare <= _settings.ConclusiveMotionShare
-                && elongation <= _settings.ConclusiveElongation && !isBlunt;
+                && elongation <= _settings.ConclusiveElongation;
         }
 
         private static bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit)

@@ -39,9 +39,9 @@ namespace LaserTracking.Detection
                     {
                         uint pixel = row[x];
                         peakLevel = Math.Max(peakLevel, FrameView.Level(pixel, DetectionPlane.Largest));
-                        int light = Sum(pixel);
+                        int light = FrameView.Level(pixel, candidate.Plane);
                         if (candidate.IsOnset)
-                            light -= Sum(view.Before[(y0 + y) / factor * view.Width + (x0 + x) / factor]);
+                            light -= FrameView.Level(view.Before[(y0 + y) / factor * view.Width + (x0 + x) / factor], candidate.Plane);
                         _light[y * width + x] = light;
                     }
                 }
@@ -96,8 +96,8 @@ namespace LaserTracking.Detection
             double xx = sumXX / sum - cx * cx, yy = sumYY / sum - cy * cy, xy = sumXY / sum - cx * cy;
             dot.PositionPx = new Vector2D(x0 + cx, y0 + cy);
 
-            // Noise of three summed channels enters by the pixels' leverage; half as much again for what the model leaves out.
-            double perPixel = noise * 1.7320508 * 1.5;
+            // Noise enters by the pixels' leverage; half as much again for what the model leaves out.
+            double perPixel = noise * 1.5;
             double leverage = perPixel * perPixel * area / (sum * sum);
             dot.CovariancePx = new Covariance2D(FloorPx * FloorPx + leverage * xx, leverage * xy, FloorPx * FloorPx + leverage * yy);
             double mean = (xx + yy) / 2, spread = Math.Sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
@@ -110,8 +110,6 @@ namespace LaserTracking.Detection
                 dot.StreakPx = new Vector2D(length * Math.Cos(angle), length * Math.Sin(angle));
             }
         }
-
-        private static int Sum(uint pixel) => (int)((pixel & 255) + (pixel >> 8 & 255) + (pixel >> 16 & 255));
 
         /// <summary>Median of the window's outermost pixels: what is left of the background there.</summary>
         private int BorderMedian(int width, int height)

@@ -45,11 +45,14 @@ namespace LaserTracking.Detection
         /// <summary>Largest length through width, 1…100.</summary>
         public double MaxElongation { get; set; } = 12;
 
+        /// <summary>The same where the rise would not be conclusive.</summary>
+        public double MaxFaintElongation { get; set; } = 4.5;
+
         /// <summary>The same for a candidate that is neither vivid nor small enough for one frame to suffice.</summary>
-        public double MaxLargeElongation { get; set; } = 1.8;
+        public double MaxBluntElongation { get; set; } = 1.8;
 
         /// <summary>The same for a candidate that only the largest channel shows: faint streaks look like moving edges.</summary>
-        public double MaxFaintElongation { get; set; } = 2.5;
+        public double MaxLargestElongation { get; set; } = 2.5;
 
         /// <summary>The same where one frame is to suffice.</summary>
         public double ConclusiveElongation { get; set; } = 4.5;
@@ -60,17 +63,35 @@ namespace LaserTracking.Detection
         /// <summary>Largest share of the ring around the dot that rose at least half as far, 0…1; for a dot that has to wait.</summary>
         public double MaxRingShare { get; set; } = 0.04;
 
+        /// <summary>The same for a dot that has to wait and whose rise would not be conclusive, unless it is vivid.</summary>
+        public double MaxFaintRingShare { get; set; } = 0.005;
+
         /// <summary>The same where one frame is to suffice.</summary>
         public double ConclusiveRingShare { get; set; } = 0.02;
 
         /// <summary>Largest relative rise of the upper tenth of the ring, through the dot's own, 0…1.</summary>
         public double MaxRingLevel { get; set; } = 0.25;
 
+        /// <summary>The same where the rise would not be conclusive.</summary>
+        public double MaxFaintRingLevel { get; set; } = 0.2;
+
         /// <summary>The same where one frame is to suffice.</summary>
         public double ConclusiveRingLevel { get; set; } = 0.15;
 
         /// <summary>The same for a vivid candidate: a strong halo is part of a laser dot.</summary>
         public double MaxVividRingLevel { get; set; } = 0.5;
+
+        /// <summary>Least rise of the stronger of red and green since the last frame, per pixel of the dot, through the peak rise, 0…100.</summary>
+        public double MinFreshness { get; set; } = 0.5;
+
+        /// <summary>The same where the rise would not be conclusive.</summary>
+        public double MinFaintFreshness { get; set; } = 0.65;
+
+        /// <summary>Least red-green coherence of a large candidate that is not vivid, 0…1.</summary>
+        public double MinBluntCoherence { get; set; } = 0.5;
+
+        /// <summary>Least strength of a vivid candidate, levels·px at 640, 0…10000.</summary>
+        public double VividStrength { get; set; } = 250;
 
         /// <summary>
         /// Rise of the stronger of red and green per pixel of the dot, through the peak rise, from which a candidate is vivid, 0…100.
@@ -119,9 +140,9 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MaxAreaPx), MaxAreaPx, 1, 100000);
             SettingCheck.InRange(nameof(MinCompactness), MinCompactness, 0, 1);
             SettingCheck.InRange(nameof(MinFaintCompactness), MinFaintCompactness, 0, 1);
-            SettingCheck.InRange(nameof(MaxLargeElongation), MaxLargeElongation, 1, 100);
+            SettingCheck.InRange(nameof(MaxBluntElongation), MaxBluntElongation, 1, 100);
             SettingCheck.InRange(nameof(MaxElongation), MaxElongation, 1, 100);
-            SettingCheck.InRange(nameof(MaxFaintElongation), MaxFaintElongation, 1, 100);
+            SettingCheck.InRange(nameof(MaxLargestElongation), MaxLargestElongation, 1, 100);
             SettingCheck.InRange(nameof(ConclusiveElongation), ConclusiveElongation, 1, 100);
             SettingCheck.InRange(nameof(ConclusiveAreaPx), ConclusiveAreaPx, 1, 100000);
             SettingCheck.InRange(nameof(ConclusiveRingLevel), ConclusiveRingLevel, 0, 1);
@@ -137,6 +158,13 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MinStrength), MinStrength, 0, 10000);
             SettingCheck.InRange(nameof(StrengthPerActivity), StrengthPerActivity, 0, 1000);
             SettingCheck.InRange(nameof(MaxWaitFrames), MaxWaitFrames, 1, 60);
+            SettingCheck.InRange(nameof(MaxFaintElongation), MaxFaintElongation, 1, 100);
+            SettingCheck.InRange(nameof(MaxFaintRingShare), MaxFaintRingShare, 0, 1);
+            SettingCheck.InRange(nameof(MaxFaintRingLevel), MaxFaintRingLevel, 0, 1);
+            SettingCheck.InRange(nameof(MinFreshness), MinFreshness, 0, 100);
+            SettingCheck.InRange(nameof(MinFaintFreshness), MinFaintFreshness, 0, 100);
+            SettingCheck.InRange(nameof(MinBluntCoherence), MinBluntCoherence, 0, 1);
+            SettingCheck.InRange(nameof(VividStrength), VividStrength, 0, 10000);
             SettingCheck.InRange(nameof(MaxCandidates), MaxCandidates, 1, 4096);
         }
 
