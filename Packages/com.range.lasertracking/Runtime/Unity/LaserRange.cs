@@ -1,5 +1,11 @@
 using System;
+using LaserTracking.Capture;
+using LaserTracking.Detection;
+using LaserTracking.Geometry;
+using LaserTracking.Pipeline;
+using LaserTracking.Scoring;
 using LaserTracking.Session;
+using LaserTracking.Tracking;
 using UnityEngine;
 using UnityEngine.Events;
 
@@ -7,7 +13,7 @@ namespace LaserTracking.Unity
 {
     /// <summary>
     /// The range itself: reads frames, finds shots in them, casts them through the screen into the scene and tells who wants to
-    /// know. Before other components, so that targets move by the clock it sets.
+    /// know. Runs before other components, so that targets move by the clock it sets.
     /// </summary>
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(-100)]
@@ -33,7 +39,103 @@ namespace LaserTracking.Unity
         [Tooltip("Called for every shot, hit or miss.")]
         private UnityEvent<ShotEvent> _shotFired = new UnityEvent<ShotEvent>();
 
+        private FramePump? _pump;
+        private ShotQueue? _shots;
+        private PhysicsRaycaster? _raycaster;
+        private bool _isOpen;
+
         /// <summary>Raised on the main thread for every shot, hit or miss, in the order of the shots.</summary>
         public event Action<ShotEvent>? ShotFired;
+
+        /// <summary>True while the source still has frames.</summary>
+        public bool IsRunning => _pump != null && !_pump.IsAtEnd;
+
+        private void OnEnable() => _isOpen = false;
+
+        private void OnDisable()
+        {
+            _pump?.Dispose();
+            RaiseShots();
+            _pump = null;
+        }
+
+        // The sources open here and not in OnEnable: by now every other component of the scene is awake.
+        private void Update()
+        {
+            if (!_isOpen)
+            {
+                _isOpen = true;
+                Open();
+            }
+
+            if (_pump == null)
+                return;
+            _pump.Update(Time.timeAsDouble);
+            for (int i = 0; i < MovingTargets.Count; i++)
+                MovingTargets.At(i).ClockOffsetS = _pump.ClockOffsetS;
+            RaiseShots();
+        }
+
+        private void Open()
+        {
+            if (_source == null)
+            {
+                Debug.LogWarning("LaserRange " + name + " has no source of frames: drag a frame source asset in", this);
+                return;
+            }
+
+            try
+            {
+                _shots = new ShotQueue(this);
+                RangePipeline pipeline = BuildPipeline(_shots);
+                IFrameSource source = _source.CreateSource();
+                pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
+                _pump = new FramePump(pipeline, source, null, _source.LatencyS);
+            }
+            catch (InputException problem)
+            {
+                Debug.LogError(problem.Message, this);
+            }
+        }
+
+        private RangePipeline BuildPipeline(IEventSink sink)
+        {
+            RangeCalibration? calibration = ReadCalibration();
+            ShotScorer? scorer = null;
+            if (_screen == null || _viewpoint == null)
+            {
+                Debug.LogWarning("LaserRange " + name + " has no " + (_screen == null ? "screen" : "viewpoint") + ": shots cannot hit anything; drag one in", this);
+            }
+            else
+            {
+                _raycaster = new PhysicsRaycaster(_hitLayers);
+                scorer = new ShotScorer(_raycaster, _screen.Pose, _screen.SizeM, _viewpoint.position.ToCore());
+            }
+
+            return new RangePipeline(new ShotDetector(), new ShotTracker(), calibration, null, null, scorer, sink);
+        }
+
+        private RangeCalibration? ReadCalibration()
+        {
+            string? text = _screen == null ? null : _screen.CalibrationText;
+            if (text == null)
+            {
+                Debug.LogWarning("LaserRange " + name + ": the screen has no calibration, so shots have no place on it and cannot hit anything; drag the calibration of camera 0 into the ScreenSurface", this);
+                return null;
+            }
+
+            return RangeCalibrationFile.Parse(text, "calibration of " + _screen!.name);
+        }
+
+        private void RaiseShots()
+        {
+            while (_shots != null && _shots.TryTake(out ShotEvent shot))
+            {
+                ShotFired?.Invoke(shot);
+                _shotFired.Invoke(shot);
+                if (shot.HasHit && _raycaster != null && _raycaster.TryFindTarget(shot.Hit.Target, out LaserTarget? target))
+                    target!.ReportHit(shot);
+            }
+        }
     }
 }

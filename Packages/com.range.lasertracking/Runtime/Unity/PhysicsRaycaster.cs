@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using LaserTracking.Geometry;
 using LaserTracking.Scoring;
 using UnityEngine;
-using Pose = LaserTracking.Geometry.Pose;
 using RaycastHit = LaserTracking.Scoring.RaycastHit;
 
 namespace LaserTracking.Unity
@@ -16,12 +15,14 @@ namespace LaserTracking.Unity
         private readonly int _layerMask;
         private readonly QueryTriggerInteraction _triggers;
         private readonly List<GameObject> _objects = new List<GameObject>();
+        private readonly List<string> _names = new List<string>();
         private readonly List<LaserTarget?> _targets = new List<LaserTarget?>();
         private readonly Dictionary<GameObject, int> _indices = new Dictionary<GameObject, int>();
+        private int _lastHit = -1;
 
         /// <param name="hitLayers">Layers that shots can hit.</param>
-        /// <param name="triggers">Triggers are no solids: by default shots pass through them.</param>
-        public PhysicsRaycaster(LayerMask hitLayers, QueryTriggerInteraction triggers = QueryTriggerInteraction.Ignore)
+        /// <param name="triggers">Whether triggers stop shots; by default as the project's physics settings say.</param>
+        public PhysicsRaycaster(LayerMask hitLayers, QueryTriggerInteraction triggers = QueryTriggerInteraction.UseGlobal)
         {
             _layerMask = hitLayers;
             _triggers = triggers;
@@ -55,15 +56,21 @@ namespace LaserTracking.Unity
             }
 
             LaserTarget? target = _targets[objectIndex];
-            name = _objects[objectIndex].name;
+            name = _names[objectIndex];
             definition = target == null ? null : target.Definition;
             return true;
         }
 
-        /// <summary>The target component of an object a hit names; false for scenery and for what was destroyed since.</summary>
-        public bool TryGetTargetComponent(int objectIndex, out LaserTarget? target)
+        /// <summary>The target of this name that was hit before; of several the one hit last. Targets should have names of their own.</summary>
+        public bool TryFindTarget(string name, out LaserTarget? target)
         {
-            target = objectIndex >= 0 && objectIndex < _targets.Count ? _targets[objectIndex] : null;
+            target = null;
+            for (int i = 0; i < _targets.Count; i++)
+            {
+                if (_targets[i] != null && _names[i] == name && (target == null || i == _lastHit))
+                    target = _targets[i];
+            }
+
             return target != null;
         }
 
@@ -74,12 +81,15 @@ namespace LaserTracking.Unity
                 _layerMask, _triggers))
                 return false;
             LaserTarget? target = met.collider.GetComponentInParent<LaserTarget>();
+            if (target != null && !target.enabled)
+                target = null;
             GameObject owner = target == null ? met.collider.gameObject : target.gameObject;
-            hit.ObjectIndex = IndexOf(owner, target);
+            _lastHit = hit.ObjectIndex = IndexOf(owner, target);
+            hit.ObjectPose = owner.transform.WorldPose();
             hit.PointM = met.point.ToCore();
             hit.Normal = met.normal.ToCore();
             hit.DistanceM = met.distance;
-            hit.LocalPointM = owner.transform.WorldPose().InverseTransformPoint(hit.PointM);
+            hit.LocalPointM = hit.ObjectPose.InverseTransformPoint(hit.PointM);
             return true;
         }
 
@@ -90,6 +100,7 @@ namespace LaserTracking.Unity
                 index = _objects.Count;
                 _indices.Add(owner, index);
                 _objects.Add(owner);
+                _names.Add(owner.name);
                 _targets.Add(target);
             }
 
