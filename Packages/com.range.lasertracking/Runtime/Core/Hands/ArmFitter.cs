@@ -61,7 +61,7 @@ namespace LaserTracking.Hands
             if (hasRear)
                 FitLine(axis, handEnd - _settings.ForearmLengthMm, handEnd, rear, ref fit);
             Muzzle(axis, isClear, hasWeapon, front, ref fit);
-            fit.Side = SideOf(part, hasRear ? rear : hand);
+            fit.Side = SideOf(part, hasRear ? rear : hand, hasRear ? 0.4 : 0.6);
             if (isClear && IsHole(grid, hand, axis, front, out Vector3D holeRay))
                 BridgeHand(axis, front, holeRay, ref fit);
             return true;
@@ -231,13 +231,13 @@ namespace LaserTracking.Hands
             fit.MuzzleSigmaMm = Math.Sqrt(_settings.MuzzleSigmaMm * _settings.MuzzleSigmaMm + swing * swing);
         }
 
-        /// <summary>The camera faces the trainee: their right shoulder is on the picture's left. Within a third of the body: unknown.</summary>
-        private HandSide SideOf(in ArmPart part, Vector3D root)
+        /// <summary>The camera faces the trainee: their right shoulder is on the picture's left. Near the body's middle: unknown.</summary>
+        private HandSide SideOf(in ArmPart part, Vector3D root, double share)
         {
             if (!part.HasTorso)
                 return HandSide.Unknown;
             double offset = root.X - part.TorsoMm.X;
-            double limit = 0.4 * _settings.TorsoHalfWidthMm;
+            double limit = share * _settings.TorsoHalfWidthMm;
             return offset < -limit ? HandSide.Right : offset > limit ? HandSide.Left : HandSide.Unknown;
         }
 

@@ -10,10 +10,19 @@ namespace LaserTracking.Hands
     internal sealed class BodySegmenter
     {
         private const int MaxLevel = 3;
+        private const int MinContacts = 2;
+
+        /// <summary>Longest way from a hand back to what is seen of its own arm: half an arm.</summary>
+        private const double MaxReachMm = 450;
+
+        /// <summary>Neighbours' middles are at least 0.4 m apart.</summary>
+        private const double SamePersonMm = 180;
 
         private readonly DepthHandSettings _settings;
-        private readonly TorsoProfile[] _torsos = new TorsoProfile[MaxLevel + 1];
+        private readonly TorsoProfile _torsos;
+        private readonly int[] _contacts;
         private int[] _cells = Array.Empty<int>();
+        private byte[] _owner = Array.Empty<byte>();
         private byte[] _level = Array.Empty<byte>();
         private int _used;
         private DepthGrid _grid = null!;
@@ -21,9 +30,9 @@ namespace LaserTracking.Hands
         public BodySegmenter(DepthHandSettings settings)
         {
             _settings = settings;
-            Arms = new ArmPart[settings.MaxHands];
-            for (int i = 0; i < _torsos.Length; i++)
-                _torsos[i] = new TorsoProfile(settings);
+            _torsos = new TorsoProfile(settings);
+            Arms = new ArmPart[2 * settings.MaxHands];
+            _contacts = new int[Arms.Length * Arms.Length];
         }
 
         /// <summary>The arms found; valid up to <see cref="ArmCount"/>, until the next call.</summary>
@@ -40,25 +49,37 @@ namespace LaserTracking.Hands
             if (_level.Length != cells)
             {
                 _level = new byte[cells];
+                _owner = new byte[cells];
                 _cells = new int[cells * (MaxLevel + 2)];
             }
 
             _used = 0;
             ArmCount = 0;
+            _torsos.Clear();
             float[] z = grid.Z;
             for (int i = 0; i < cells; i++)
                 _level[i] = z[i] > 0 ? (byte)1 : (byte)0;
             for (int i = 0; i < cells; i++)
             {
                 if (_level[i] == 1)
-                    Examine(Flood(i, 1), 1, null);
+                    Examine(Flood(i, 1), 1);
             }
+
+            for (int i = 0; i < ArmCount; i++)
+            {
+                ref ArmPart arm = ref Arms[i];
+                arm.HasTorso = _torsos.TryTorso(arm.MiddleXMm, out double x, out double torsoZ)
+                    && torsoZ > arm.NearestMm && torsoZ - arm.NearestMm < 2 * MaxReachMm;
+                arm.TorsoMm = new Vector3D(x, 0, torsoZ);
+            }
+
+            JoinOccluded();
         }
 
         /// <summary>Level n marks cells that wait to be gathered at depth n; a gathered cell carries 0.</summary>
-        private void Examine(ArmPart part, int level, TorsoProfile? torso)
+        private void Examine(in ArmPart part, int level)
         {
-            if (part.AreaMm2 < _settings.MinArmAreaMm2)
+            if (part.AreaMm2 < _settings.MinArmAreaMm2 / 4)
             {
                 _used = part.First;
                 return;
@@ -66,43 +87,132 @@ namespace LaserTracking.Hands
 
             if (part.AreaMm2 <= _settings.MaxArmAreaMm2)
             {
-                if (torso != null)
-                {
-                    double x = torso.MiddleXMm(part.MiddleXMm);
-                    part.HasTorso = true;
-                    part.TorsoMm = new Vector3D(x, 0, torso.TorsoZ(x));
-                }
-
                 Keep(part);
                 return;
             }
 
             if (level > MaxLevel)
                 return;
-            TorsoProfile profile = _torsos[level - 1];
-            MarkForward(part, (byte)(level + 1), profile);
+            MarkForward(part, (byte)(level + 1));
             int end = part.First + part.Count;
             for (int i = part.First; i < end; i++)
             {
                 if (_level[_cells[i]] == level + 1)
-                    Examine(Flood(_cells[i], (byte)(level + 1)), level + 1, profile);
+                    Examine(Flood(_cells[i], (byte)(level + 1)), level + 1);
             }
         }
 
-        private void MarkForward(in ArmPart part, byte level, TorsoProfile profile)
+        private void MarkForward(in ArmPart part, byte level)
         {
             ReadOnlySpan<int> cells = CellsOf(part);
-            profile.Build(_grid, cells);
+            _torsos.Build(_grid, cells);
             float forward = (float)_settings.ForwardMm;
             foreach (int cell in cells)
             {
                 float z = _grid.Z[cell];
                 double x = _grid.RayX[cell % _grid.Width] * z;
-                if (z < profile.TorsoZ(x) - forward)
+                if (z < _torsos.MedianZ(x) - forward)
                     _level[cell] = level;
                 else
-                    profile.AddTorso(x, z);
+                    _torsos.AddTorso(x, z);
             }
+        }
+
+        /// <summary>
+        /// A hand that points at the camera hides most of its own forearm; what is seen of that begins far behind it and is a part
+        /// of its own. Parts of one person that touch in the picture, one behind the other within an arm's reach, are one arm.
+        /// </summary>
+        private void JoinOccluded()
+        {
+            Array.Clear(_owner, 0, _owner.Length);
+            Array.Clear(_contacts, 0, _contacts.Length);
+            int stride = Arms.Length;
+            for (int i = 0; i < ArmCount; i++)
+            {
+                foreach (int cell in CellsOf(Arms[i]))
+                    _owner[cell] = (byte)(i + 1);
+            }
+
+            for (int i = 0; i < ArmCount; i++)
+            {
+                foreach (int cell in CellsOf(Arms[i]))
+                {
+                    int x = cell % _grid.Width;
+                    if (x + 2 < _grid.Width)
+                        Touch(cell, cell + 1, cell + 2);
+                    if (cell + 2 * _grid.Width < _owner.Length)
+                        Touch(cell, cell + _grid.Width, cell + 2 * _grid.Width);
+                }
+            }
+
+            for (int i = ArmCount - 1; i > 0; i--)
+            {
+                int best = -1;
+                for (int k = 0; k < i; k++)
+                {
+                    if (_contacts[k * stride + i] >= MinContacts && AreOnePerson(Arms[i], Arms[k])
+                        && (best < 0 || _contacts[k * stride + i] > _contacts[best * stride + i]))
+                        best = k;
+                }
+
+                if (best >= 0)
+                    Join(best, i);
+            }
+
+            int kept = 0;
+            for (int i = 0; i < ArmCount; i++)
+            {
+                if (Arms[i].AreaMm2 >= _settings.MinArmAreaMm2)
+                    Arms[kept++] = Arms[i];
+            }
+
+            ArmCount = kept;
+
+            // The cell between may be lost: edges often are.
+            void Touch(int cell, int next, int afterNext)
+            {
+                int a = _owner[cell] - 1, b = _owner[next] - 1;
+                int other = next;
+                if (b < 0 && _grid.Z[next] == 0)
+                {
+                    b = _owner[afterNext] - 1;
+                    other = afterNext;
+                }
+
+                if (b < 0 || a == b || Math.Abs(_grid.Z[cell] - _grid.Z[other]) > MaxReachMm)
+                    return;
+                _contacts[Math.Min(a, b) * stride + Math.Max(a, b)]++;
+            }
+        }
+
+        private static bool AreOnePerson(in ArmPart a, in ArmPart b) =>
+            !a.HasTorso || !b.HasTorso || Math.Abs(a.TorsoMm.X - b.TorsoMm.X) < SamePersonMm;
+
+        /// <summary>Moves part i behind part k; both are copied to the end of the list.</summary>
+        private void Join(int k, int i)
+        {
+            ref ArmPart a = ref Arms[k];
+            ref readonly ArmPart b = ref Arms[i];
+            int first = _used;
+            if (first + a.Count + b.Count > _cells.Length || a.AreaMm2 + b.AreaMm2 > _settings.MaxArmAreaMm2)
+                return;
+            Array.Copy(_cells, a.First, _cells, first, a.Count);
+            Array.Copy(_cells, b.First, _cells, first + a.Count, b.Count);
+            _used += a.Count + b.Count;
+            double area = a.AreaMm2 + b.AreaMm2;
+            a = new ArmPart
+            {
+                First = first,
+                Count = a.Count + b.Count,
+                AreaMm2 = area,
+                NearestMm = Math.Min(a.NearestMm, b.NearestMm),
+                MiddleXMm = (a.MiddleXMm * a.AreaMm2 + b.MiddleXMm * b.AreaMm2) / area,
+                HasTorso = a.HasTorso || b.HasTorso,
+                TorsoMm = a.HasTorso ? a.TorsoMm : b.TorsoMm,
+            };
+            for (int m = 0; m < k; m++)
+                _contacts[m * Arms.Length + k] += _contacts[m * Arms.Length + i];
+            Arms[i].AreaMm2 = 0;
         }
 
         private ArmPart Flood(int seed, byte level)

@@ -29,7 +29,7 @@ namespace LaserTracking.Hands
             _segmenter = new BodySegmenter(used);
             _fitter = new ArmFitter(used);
             _tracks = new HandTrackSet(used);
-            _fits = new ArmFit[used.MaxHands];
+            _fits = new ArmFit[_segmenter.Arms.Length];
         }
 
         public void Process(Frame frame, HandObservations observations)

@@ -24,9 +24,9 @@ namespace LaserTracking.Hands
         public HandTrackSet(DepthHandSettings settings)
         {
             _settings = settings;
-            _tracks = new HandTrack[2 * settings.MaxHands];
+            _tracks = new HandTrack[settings.MaxHands];
             _trackTaken = new bool[_tracks.Length];
-            _fitTaken = new bool[settings.MaxHands];
+            _fitTaken = new bool[2 * settings.MaxHands];
         }
 
         public void Reset()
@@ -56,7 +56,7 @@ namespace LaserTracking.Hands
 
             for (int i = 0; i < fits.Length; i++)
             {
-                if (!_fitTaken[i] && _count < _tracks.Length)
+                if (!_fitTaken[i] && _count < _settings.MaxHands)
                     Start(fits[i], timeUs, observations);
             }
         }

@@ -3,8 +3,8 @@ using System;
 namespace LaserTracking.Hands
 {
     /// <summary>
-    /// How far away the torsos in one connected surface are, per column of space: the median over a shoulder's width, weighted by
-    /// surface. Several people who touch each other keep their own distances.
+    /// Where the torsos are, per column of space. The distance in one surface is the median over a shoulder's width, weighted by area,
+    /// so that several people who touch each other keep their own; what is not an arm is gathered over all surfaces of a frame.
     /// </summary>
     internal sealed class TorsoProfile
     {
@@ -16,8 +16,9 @@ namespace LaserTracking.Hands
         private readonly int _reach;
         private readonly int[] _histogram = new int[ColumnBins * DepthBins];
         private readonly int[] _window = new int[DepthBins];
-        private readonly float[] _torsoZ = new float[ColumnBins];
-        private readonly double[] _torsoWeight = new double[ColumnBins];
+        private readonly float[] _medianZ = new float[ColumnBins];
+        private readonly double[] _weight = new double[ColumnBins];
+        private readonly double[] _weightedZ = new double[ColumnBins];
 
         public TorsoProfile(DepthHandSettings settings)
         {
@@ -25,11 +26,18 @@ namespace LaserTracking.Hands
             _reach = Math.Max(1, (int)Math.Round(settings.TorsoHalfWidthMm / BinMm));
         }
 
+        /// <summary>Forgets all torsos of the frame before.</summary>
+        public void Clear()
+        {
+            Array.Clear(_weight, 0, _weight.Length);
+            Array.Clear(_weightedZ, 0, _weightedZ.Length);
+        }
+
+        /// <summary>Measures one surface, for <see cref="MedianZ"/>.</summary>
         public void Build(DepthGrid grid, ReadOnlySpan<int> cells)
         {
             int low = ColumnBins, high = -1;
             Array.Clear(_histogram, 0, _histogram.Length);
-            Array.Clear(_torsoWeight, 0, _torsoWeight.Length);
             foreach (int cell in cells)
             {
                 float z = grid.Z[cell];
@@ -40,34 +48,43 @@ namespace LaserTracking.Hands
             }
 
             for (int column = low; column <= high; column++)
-                _torsoZ[column] = (float)((MedianBin(column, low, high) + 0.5) * _depthBinMm);
+                _medianZ[column] = (float)((MedianBin(column, low, high) + 0.5) * _depthBinMm);
         }
 
-        public float TorsoZ(double xMm) => _torsoZ[ColumnOf(xMm)];
+        /// <summary>Distance of what stands at x in the surface measured last.</summary>
+        public float MedianZ(double xMm) => _medianZ[ColumnOf(xMm)];
 
-        /// <summary>Counts a cell as part of the torso, for <see cref="MiddleXMm"/>.</summary>
-        public void AddTorso(double xMm, float z) => _torsoWeight[ColumnOf(xMm)] += z * z;
-
-        /// <summary>Middle of the torso nearest to x: three steps of mean shift over a body's width.</summary>
-        public double MiddleXMm(double xMm)
+        /// <summary>Counts a cell as part of a torso.</summary>
+        public void AddTorso(double xMm, float z)
         {
-            double middle = xMm;
+            int column = ColumnOf(xMm);
+            _weight[column] += z * z;
+            _weightedZ[column] += (double)z * z * z;
+        }
+
+        /// <summary>Middle and distance of the torso nearest to x, by three steps of mean shift over a body's width; false when there is none.</summary>
+        public bool TryTorso(double xMm, out double middleXMm, out double zMm)
+        {
+            middleXMm = xMm;
+            zMm = 0;
             for (int step = 0; step < 3; step++)
             {
-                int centre = ColumnOf(middle), reach = _reach + _reach / 2;
-                double sum = 0, weights = 0;
+                int centre = ColumnOf(middleXMm), reach = _reach + _reach / 2;
+                double sum = 0, weights = 0, sumZ = 0;
                 for (int k = Math.Max(0, centre - reach); k <= Math.Min(ColumnBins - 1, centre + reach); k++)
                 {
-                    sum += _torsoWeight[k] * ((k - ColumnBins / 2 + 0.5) * BinMm);
-                    weights += _torsoWeight[k];
+                    sum += _weight[k] * ((k - ColumnBins / 2 + 0.5) * BinMm);
+                    weights += _weight[k];
+                    sumZ += _weightedZ[k];
                 }
 
                 if (!(weights > 0))
-                    return middle;
-                middle = sum / weights;
+                    return step > 0;
+                middleXMm = sum / weights;
+                zMm = sumZ / weights;
             }
 
-            return middle;
+            return true;
         }
 
         private int MedianBin(int column, int low, int high)

@@ -1,0 +1,86 @@
+using LaserTracking.Geometry;
+using LaserTracking.Hands;
+using NUnit.Framework;
+
+namespace LaserTracking.Fusion
+{
+    public sealed class HandHistoryTests
+    {
+        private readonly PairedHand[] _pairs = new PairedHand[8];
+
+        [Test]
+        public void At_BetweenTwoSightings_Interpolates()
+        {
+            var history = new HandHistory();
+            Add(history, 100_000, 1, 10);
+            Add(history, 140_000, 1, 50);
+            Assert.That(history.At(110_000, 1_000_000, 250_000, _pairs), Is.EqualTo(1));
+            Assert.That(_pairs[0].Hand.MuzzleMm.X, Is.EqualTo(20).Within(1e-9));
+            Assert.That(_pairs[0].DeltaUs, Is.EqualTo(-10_000));
+            Assert.That(_pairs[0].IsInterpolated, Is.True);
+        }
+
+        [Test]
+        public void At_AfterTheLastSighting_GivesItAsItWas()
+        {
+            var history = new HandHistory();
+            Add(history, 100_000, 1, 10);
+            Add(history, 140_000, 1, 50);
+            Assert.That(history.At(150_000, 1_000_000, 250_000, _pairs), Is.EqualTo(1));
+            Assert.That(_pairs[0].Hand.MuzzleMm.X, Is.EqualTo(50));
+            Assert.That(_pairs[0].DeltaUs, Is.EqualTo(-10_000));
+            Assert.That(_pairs[0].IsInterpolated, Is.False);
+        }
+
+        [Test]
+        public void At_SightingsFarApart_TakesTheNearer()
+        {
+            var history = new HandHistory();
+            Add(history, 0, 1, 10);
+            Add(history, 900_000, 1, 50);
+            history.At(500_000, 1_000_000, 250_000, _pairs);
+            Assert.That(_pairs[0].Hand.MuzzleMm.X, Is.EqualTo(50));
+            Assert.That(_pairs[0].DeltaUs, Is.EqualTo(400_000));
+        }
+
+        [Test]
+        public void At_OutsideTheWindow_GivesNone()
+        {
+            var history = new HandHistory();
+            Add(history, 0, 1, 10);
+            Assert.That(history.At(1_000_000, 1_000_000, 0, _pairs), Is.EqualTo(1), "at the window's edge");
+            Assert.That(history.At(1_000_001, 1_000_000, 0, _pairs), Is.Zero);
+        }
+
+        [Test]
+        public void At_SeveralHands_AreOrderedByTrack()
+        {
+            var history = new HandHistory();
+            Add(history, 0, 7, 10);
+            Add(history, 0, 3, 10);
+            Add(history, 1000, 7, 10);
+            Assert.That(history.At(0, 1_000_000, 0, _pairs), Is.EqualTo(2));
+            Assert.That(_pairs[0].Hand.TrackId, Is.EqualTo(3));
+            Assert.That(_pairs[1].Hand.TrackId, Is.EqualTo(7));
+        }
+
+        [Test]
+        public void Add_MoreThanTheCapacity_ForgetsTheOldest()
+        {
+            var history = new HandHistory(4);
+            for (int i = 0; i < 10; i++)
+                Add(history, i * 1000, 1, i);
+            Assert.That(history.Count, Is.EqualTo(4));
+            history.At(0, 1_000_000, 0, _pairs);
+            Assert.That(_pairs[0].Hand.MuzzleMm.X, Is.EqualTo(6));
+        }
+
+        private static void Add(HandHistory history, long timeUs, int track, double x)
+        {
+            var hands = new HandObservations();
+            hands.Begin(0, timeUs);
+            hands.Add(new HandObservation { TrackId = track, MuzzleMm = new Vector3D(x, 0, 1000), PalmMm = new Vector3D(x, 0, 1100) });
+            history.Add(hands);
+        }
+    }
+}
