@@ -5,6 +5,9 @@ namespace LaserTracking.Host.Scenes;
 /// <summary>All GameObjects of a scene in hierarchy order, checked for agreement between the two ends of every link.</summary>
 internal sealed class UnityHierarchy
 {
+    // Unity itself warns long before; a damaged file must not exhaust the stack.
+    private const int DeepestLevel = 256;
+
     private readonly string _file;
     private readonly UnityProject _project;
     private readonly Dictionary<long, UnityDocument> _documents = new();
@@ -88,8 +91,10 @@ internal sealed class UnityHierarchy
         return indices;
     }
 
-    private void Place(long transformId, UnityGameObject? parent)
+    private void Place(long transformId, UnityGameObject? parent, int level = 0)
     {
+        if (level > DeepestLevel)
+            throw parent!.Fields.Problem($"lies more than {DeepestLevel} levels deep", "flatten the hierarchy");
         UnityFields transform = Find(transformId, UnityClass.Transform, parent == null ? "SceneRoots" : parent.Fields.Label);
         if (!_placed.Add(transformId))
             throw transform.Problem("is listed as a child twice");
@@ -106,7 +111,7 @@ internal sealed class UnityHierarchy
         foreach (UnityReference component in fields.References("m_Component", "component"))
             Attach(placed, component.FileId, ownerId);
         foreach (UnityReference child in transform.References("m_Children"))
-            Place(child.FileId, placed);
+            Place(child.FileId, placed, level + 1);
     }
 
     private void Attach(UnityGameObject owner, long componentId, long ownerId)
