@@ -9,6 +9,12 @@ namespace LaserTracking.Host.Commands
         {
             var root = new RootCommand("Laser-shot training on a projected screen: from camera frames to scored hits.")
             {
+                DemoCommand.Create(),
+                ReplayCommand.Create(),
+                InfoCommand.Create(),
+                ExtractCommand.Create(),
+                CalibrateCommand.Create(),
+                BenchCommand.Create(),
                 TestCommand.Create(),
                 DoctorCommand.Create(),
             };

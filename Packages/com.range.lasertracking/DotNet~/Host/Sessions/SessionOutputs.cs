@@ -26,29 +26,32 @@ namespace LaserTracking.Host.Sessions
         /// <summary>A picture of the projected screen for the report, PNG; null: plain.</summary>
         public byte[]? BackgroundPng { get; set; }
 
+        /// <summary>What the last run found.</summary>
+        public SessionRecorder Recorder { get; private set; } = new();
+
         /// <summary>Runs the plan and writes everything that was asked for; returns the exit code.</summary>
         public int Run(SessionPlan plan, string title, CancellationToken interrupted)
         {
             using ResultFile? events = _events == null ? null : new ResultFile(_events);
             using ResultFile? dots = _dots == null ? null : new ResultFile(_dots);
-            var recorder = new SessionRecorder();
-            var sinks = new List<IEventSink> { recorder };
+            Recorder = new SessionRecorder();
+            var sinks = new List<IEventSink> { Recorder };
             if (events != null)
                 sinks.Add(new JsonLinesSink(events.Stream));
             if (dots != null)
-                sinks.Add(new JsonLinesSink(dots.Stream, EventTypes.Dot));
+                sinks.Add(new JsonLinesSink(dots.Stream, EventTypes.Dots));
 
             bool isComplete = RangeSession.Run(plan, new EventSinkGroup(sinks), interrupted);
             events?.Commit();
             dots?.Commit();
             if (_reportFolder != null)
-                WriteReport(plan, recorder, title);
+                WriteReport(plan, title);
             if (_events != "-")
-                ShotTable.Print(recorder, plan);
+                ShotTable.Print(Recorder, plan);
             return isComplete ? ExitCodes.Done : ExitCodes.Interrupted;
         }
 
-        private void WriteReport(SessionPlan plan, SessionRecorder recorder, string title)
+        private void WriteReport(SessionPlan plan, string title)
         {
             using var file = new ResultFile(Path.Combine(_reportFolder!, "report.html"));
             var options = new ReportOptions
@@ -60,7 +63,7 @@ namespace LaserTracking.Host.Sessions
                 ImageSizePx = new Geometry.Vector2D(plan.ScreenCamera.Info.Width, plan.ScreenCamera.Info.Height),
                 BackgroundPng = BackgroundPng,
             };
-            file.Stream.Write(ReportBuilder.BuildUtf8(recorder, options));
+            file.Stream.Write(ReportBuilder.BuildUtf8(Recorder, options));
             file.Commit();
         }
     }

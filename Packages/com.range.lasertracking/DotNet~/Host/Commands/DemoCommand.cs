@@ -1,0 +1,58 @@
+using System.CommandLine;
+using System.IO;
+using System.Threading;
+using System.Threading.Tasks;
+using LaserTracking.Capture;
+using LaserTracking.Host.Scenes;
+using LaserTracking.Host.Sessions;
+using LaserTracking.Scoring;
+using LaserTracking.Session;
+using LaserTracking.Simulation;
+
+namespace LaserTracking.Host.Commands
+{
+    /// <summary>range demo: the main job on the shipped sample, a simulated range with two cameras and several shooters.</summary>
+    internal static class DemoCommand
+    {
+        public static Command Create()
+        {
+            var output = new Option<string>("--out") { Description = "Folder for events.jsonl, truth.json and report.html.", DefaultValueFactory = _ => Path.Combine("out", "demo") };
+            var seed = new Option<int?>("--seed") { Description = "Another simulation of the same scenario." };
+            var command = new Command("demo", "The main job on the shipped sample: two cameras, several shooters, moving targets; no camera needed.") { output, seed };
+            command.SetAction((parsed, interrupted) => Task.FromResult(Run(parsed.GetValue(output)!, parsed.GetValue(seed), interrupted)));
+            return command;
+        }
+
+        private static int Run(string folder, int? seed, CancellationToken interrupted)
+        {
+            string root = RepositoryFolder.Find();
+            string scenarioFile = Path.Combine(root, "Packages", "com.range.lasertracking", "Samples~", "Demo", "demo.scenario.json");
+            SceneModel scene = UnitySceneReader.Read(Path.Combine(root, "Assets", "Scenes", "Range.unity"));
+            SimulationScenario scenario = SimulationScenarioFile.Read(scenarioFile);
+            if (seed is { } other)
+                scenario.Seed = other;
+
+            var range = new SimulatedRange(scenario, scene);
+            using IFrameSource screenCamera = new PrefetchingFrameSource(range.CreateColorSource());
+            using IFrameSource handCamera = new PrefetchingFrameSource(range.CreateDepthSource());
+            var plan = new SessionPlan
+            {
+                ScreenCamera = screenCamera,
+                HandCamera = handCamera,
+                HandClockOffsetUs = range.Truth.ColorClockUs(0) - range.Truth.DepthClockUs(0),
+                Calibration = range.Calibration,
+                CalibrationName = "simulation",
+                Scene = scene,
+                SceneTimeZeroUs = range.Truth.ColorClockUs(0),
+                Inputs = new[] { new SessionInput("Samples~/Demo/demo.scenario.json", InputHash.Of(scenarioFile).Sha256) },
+                Seed = scenario.Seed,
+            };
+            var outputs = new SessionOutputs(Path.Combine(folder, "events.jsonl"), null, folder);
+            int exitCode = outputs.Run(plan, "Demo session", interrupted);
+            if (exitCode == ExitCodes.Done)
+                TruthComparison.Print(outputs.Recorder, range.Truth);
+            System.Console.WriteLine($"the report: {Path.Combine(folder, "report.html")}");
+            return exitCode;
+        }
+    }
+}
