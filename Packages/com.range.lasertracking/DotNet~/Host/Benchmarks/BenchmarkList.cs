@@ -1,10 +1,108 @@
+using System;
 using System.Collections.Generic;
+using System.IO;
+using LaserTracking.Detection;
+using LaserTracking.Fusion;
+using LaserTracking.Geometry;
+using LaserTracking.Hands;
+using LaserTracking.Imaging;
+using LaserTracking.Pipeline;
+using LaserTracking.Scoring;
+using LaserTracking.Session;
+using LaserTracking.Simulation;
+using LaserTracking.Tracking;
 
 namespace LaserTracking.Host.Benchmarks
 {
     /// <summary>All benchmarks by the names that others rely on.</summary>
     internal static class BenchmarkList
     {
-        public static IReadOnlyList<Benchmark> All { get; } = new List<Benchmark>();
+        private const int LoopFrames = 24;
+
+        public static IReadOnlyList<Benchmark> All { get; } = new[]
+        {
+            new Benchmark("detect-1080p", "1920×1080 BGRA frame in, shots out; moving scene, 2 dots", () => Detect("shots", 1920, 1080, PixelFormat.Bgra32)),
+            new Benchmark("detect-720p-nv12", "1280×720 NV12 frame in, shots out; moving scene, 2 dots", () => Detect("shots", 1280, 720, PixelFormat.Nv12)),
+            new Benchmark("paper-1080p", "the published algorithm at 960 px width on 1920×1080 BGRA; moving scene, 2 dots", () => Detect("paper", 1920, 1080, PixelFormat.Bgra32)),
+            new Benchmark("hands-640x576", "depth frame in, hands out; 2 people", Hands),
+            new Benchmark("pair-multiuser", "4 shots of one frame to 4 hands", Pair),
+            new Benchmark("decode-720p-mjpg", "one 1280×720 4:2:2 JPEG to YUY2", Decode),
+            new Benchmark("end-to-end-720p", "1280×720 NV12 frame in, scored hit and event line out; 2 shooters, shots all the time", EndToEnd),
+        };
+
+        private static Action<int> Detect(string detectorName, int width, int height, PixelFormat format)
+        {
+            var frames = new FrameLoop(FrameLoop.Range(width, height, format, 2, 2000, 90).CreateColorSource(), LoopFrames);
+            IShotDetector detector = Sessions.RangeSession.CreateDetector(detectorName);
+            var tracker = new ShotTracker();
+            var detections = new Detections();
+            return number =>
+            {
+                Capture.Frame frame = frames[number];
+                detections.Begin(frame.Index, frame.TimeUs);
+                detector.Process(frame, detections);
+                tracker.Process(detections);
+            };
+        }
+
+        private static Action<int> Hands()
+        {
+            SimulatedRange range = FrameLoop.Range(320, 180, PixelFormat.Nv12, 2, 40, 10);
+            var frames = new FrameLoop(range.CreateDepthSource(), LoopFrames);
+            var tracker = new DepthHandTracker(range.Calibration.HandCamera!.Intrinsics);
+            var hands = new HandObservations();
+            return number => tracker.Process(frames[number], hands);
+        }
+
+        private static Action<int> Pair()
+        {
+            var camera = new HandCamera(new PinholeCamera(504, 504, 320, 288, 640, 576), Pose.Identity);
+            var fusion = new ShooterAssignment(camera);
+            var hands = new HandObservations();
+            var shots = new Shot[4];
+            var screen = new Vector2D[4];
+            var fused = new FusedShot[4];
+            return number =>
+            {
+                long timeUs = number * 33_333L;
+                hands.Begin(number, timeUs);
+                for (int i = 0; i < 4; i++)
+                {
+                    screen[i] = new Vector2D(0.5 + 0.8 * i, 1.0);
+                    var muzzle = new Vector3D(800.0 * i + 300, 900 + 10 * (number % 7), -1500);
+                    Vector3D aim = (new Vector3D(screen[i].X * 1000, screen[i].Y * 1000, 0) - muzzle).Normalized;
+                    hands.Add(new HandObservation { TrackId = i + 1, PalmMm = muzzle - aim * 150, MuzzleMm = muzzle, AimDirection = aim, SigmaMm = 10 });
+                    shots[i] = new Shot { Id = number * 4 + i, TimeUs = timeUs, TrackId = number * 4 + i + 1, Dot = new Dot { Color = LaserColor.Green } };
+                }
+
+                fusion.AddHands(hands);
+                fusion.Fuse(shots, screen, fused);
+            };
+        }
+
+        private static Action<int> Decode()
+        {
+            var frames = new FrameLoop(FrameLoop.Range(1280, 720, PixelFormat.Yuy2, 2, 2000, 90).CreateColorSource(), 4);
+            byte[] jpeg = new JpegEncoder(90).Encode(frames[0].Color).ToArray();
+            var decoder = new JpegDecoder();
+            var target = new Image();
+            return _ => decoder.TryDecode(jpeg, target, 0, out string _);
+        }
+
+        private static Action<int> EndToEnd()
+        {
+            SimulatedRange range = FrameLoop.Range(1280, 720, PixelFormat.Nv12, 2, 20, 4);
+            var screenFrames = new FrameLoop(range.CreateColorSource(), LoopFrames);
+            var handFrames = new FrameLoop(range.CreateDepthSource(), LoopFrames);
+            HandCamera camera = range.Calibration.HandCamera!;
+            var pipeline = new RangePipeline(new ShotDetector(), new ShotTracker(), range.Calibration, new DepthHandTracker(camera.Intrinsics),
+                new ShooterAssignment(camera), new ShotScorer(range.Scene), new JsonLinesSink(Stream.Null));
+            pipeline.Begin(new SessionHeader("bench", Array.Empty<SessionInput>(), null, "shots", null));
+            return number =>
+            {
+                pipeline.ProcessHands(handFrames[number]);
+                pipeline.Process(screenFrames[number]);
+            };
+        }
     }
 }
