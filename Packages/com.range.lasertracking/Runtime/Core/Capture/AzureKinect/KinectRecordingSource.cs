@@ -14,7 +14,7 @@ namespace LaserTracking.Capture.AzureKinect
 
         private readonly KinectRecording _recording;
         private readonly KinectStreams _streams;
-        private readonly JpegDecoder _jpegDecoder = new JpegDecoder();
+        private JpegDecoder? _jpegDecoder;
         private readonly KinectCapture _capture = new KinectCapture();
         private byte[] _jpeg = Array.Empty<byte>();
 
@@ -129,6 +129,7 @@ namespace LaserTracking.Capture.AzureKinect
             Span<byte> jpeg = _jpeg.AsSpan(0, source.SizeBytes);
             if (!_recording.TryReadPayload(source, jpeg))
                 return "its payload cannot be read";
+            _jpegDecoder ??= new JpegDecoder();
             if (!_jpegDecoder.TryDecode(jpeg, target, source.DeviceTimeUs, out string problem))
                 return problem;
             if (target.Width == track.Width && target.Height == track.Height)

@@ -241,7 +241,7 @@ namespace LaserTracking.Capture.Matroska
         {
             if (!Clusters.TryLast(out MatroskaCluster cluster))
                 return;
-            BlockCursor cursor = CreateCursor(BlockCursor.AnyTrack);
+            BlockCursor cursor = CreateCursor(BlockParser.AnyTrack);
             for (int i = 0; i < 8; i++)
             {
                 long last = LastTimeIn(cluster, cursor);
