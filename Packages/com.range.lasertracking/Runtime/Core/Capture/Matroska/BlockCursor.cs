@@ -123,8 +123,6 @@ namespace LaserTracking.Capture.Matroska
         private void Place(in MatroskaCluster cluster)
         {
             _cluster = cluster;
-            if (_hasCluster)
-                _clusters.Verify(ref _cluster);
             _gap = cluster.DataOffset;
             _behindCount = 0;
             _isAtStart = false;
@@ -169,6 +167,7 @@ namespace LaserTracking.Capture.Matroska
 
         private bool SearchAhead()
         {
+            _clusters.Verify(ref _cluster);
             _nextCluster = _cluster;
             long position = _gap;
             while (true)
@@ -212,6 +211,7 @@ namespace LaserTracking.Capture.Matroska
 
         private bool SearchBehind()
         {
+            _clusters.Verify(ref _cluster);
             MatroskaCluster cluster = _cluster;
             long end = _gap;
             while (true)

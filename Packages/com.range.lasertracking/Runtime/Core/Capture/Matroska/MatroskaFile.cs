@@ -47,7 +47,7 @@ namespace LaserTracking.Capture.Matroska
 
             var scanner = new ClusterScanner(_reader, problems, _segmentEnd, _header.TimecodeScale);
             scanner.OtherElementFound = NoteLateElement;
-            Clusters = new ClusterMap(_reader, scanner, _index, firstCluster);
+            Clusters = new ClusterMap(scanner, _index, firstCluster);
             if (!hasCues)
                 _index.Clear();
             WalkToEnd();
