@@ -29,7 +29,7 @@ namespace LaserTracking.Capture.AzureKinect
         [TestCase("rec_laser_720p_mjpg.mkv")]
         public void KinectRecordingSource_WarmLoopOverAFile_AllocatesNothing(string name)
         {
-            using var source = new KinectRecordingSource(KinectRecording.Open(TestFiles.Reference("k4a", name)), KinectStreams.All, IgnoreJpeg);
+            using var source = new KinectRecordingSource(KinectRecording.Open(TestFiles.Reference("k4a", name)));
             source.Recording.VerifiesChecksums = true;
             using var frame = new Frame();
             while (source.TryRead(frame))
@@ -61,7 +61,7 @@ namespace LaserTracking.Capture.AzureKinect
         /// <summary>Reads all frames; tells the live memory when the last has been read and everything is still held.</summary>
         private static void Read(string path, out long liveBytes)
         {
-            using var source = new KinectRecordingSource(KinectRecording.Open(path), KinectStreams.All, IgnoreJpeg);
+            using var source = new KinectRecordingSource(KinectRecording.Open(path));
             source.Recording.VerifiesChecksums = true;
             using var frame = new Frame();
             while (source.TryRead(frame))
@@ -70,13 +70,6 @@ namespace LaserTracking.Capture.AzureKinect
 
             liveBytes = GC.GetTotalMemory(forceFullCollection: true);
             GC.KeepAlive(source);
-        }
-
-        private static bool IgnoreJpeg(ReadOnlySpan<byte> jpeg, Imaging.Image target, long timeUs, out string problem)
-        {
-            target.Reset(Imaging.PixelFormat.Gray8, 16, 16, timeUs);
-            problem = "";
-            return true;
         }
 
         private sealed class CountingStream : Stream

@@ -17,7 +17,7 @@ namespace LaserTracking.Capture.AzureKinect
         public void KinectRecording_DamagedFurther_IsSurvived(string name, int files)
         {
             var mutator = new RecordingMutator(File.ReadAllBytes(TestFiles.Reference("k4a", name)));
-            var exerciser = new RecordingExerciser();
+            var exerciser = new RecordingExerciser(KinectStreams.Depth | KinectStreams.Infrared);
             for (int seed = 0; seed < files; seed++)
                 exerciser.Run(mutator.Mutate(seed), name + " seed " + seed);
             TestContext.Out.WriteLine(exerciser.Opened + " opened, " + exerciser.Captures + " captures, slowest " + exerciser.Slowest.TotalMilliseconds + " ms");

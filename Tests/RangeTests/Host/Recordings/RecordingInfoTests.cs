@@ -1,4 +1,6 @@
+using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using System.Text.Json.Nodes;
 using LaserTracking.Capture.AzureKinect;
@@ -44,7 +46,19 @@ namespace LaserTracking.Host.Recordings
             Assert.That((long)info["captures"]!, Is.EqualTo(captures));
             Assert.That((bool)info["truncated"]!, Is.EqualTo(truncated));
             Assert.That(info["problems"]!.AsArray().Count, Is.GreaterThan(0));
-            TestContext.Out.WriteLine(info.ToJsonString());
+        }
+
+        [Test]
+        public void RecordingInfo_CalibrationWithNaN_IsAProblemAndTheRestStands()
+        {
+            byte[] bytes = File.ReadAllBytes(TestFiles.Reference("k4a", "rec_small.mkv"));
+            int parameters = bytes.AsSpan().IndexOf("\"ModelParameters\""u8);
+            int number = parameters + bytes.AsSpan(parameters).IndexOf("0."u8);
+            "NaN"u8.CopyTo(bytes.AsSpan(number));
+            using var recording = new KinectRecording(new MemoryStream(bytes), "rec_small.mkv");
+            JsonObject info = new RecordingInfo(recording).Build();
+            Assert.That(info["problems"]!.AsArray().Select(problem => (string?)problem!["what"]), Has.One.Contains("calibration.json cannot be read"));
+            Assert.That((long)info["captures"]!, Is.EqualTo(12));
         }
     }
 }

@@ -5,25 +5,25 @@ using LaserTracking.Imaging;
 namespace LaserTracking.Capture.AzureKinect
 {
     /// <summary>
-    /// Frames of a recording. Colour comes as it was recorded (NV12, YUY2, BGRA) or as the JPEG decoder gives it; depth and infrared
+    /// Frames of a recording. Colour comes as it was recorded (NV12, YUY2, BGRA) or as <see cref="JpegDecoder"/> gives it; depth and infrared
     /// little-endian. A picture whose payload has the wrong size or cannot be decoded is absent and a problem; its frame stays.
     /// </summary>
     public sealed class KinectRecordingSource : IFrameSource
     {
+        private const int MaxJpegHeader = 1 << 16;
+
         private readonly KinectRecording _recording;
         private readonly KinectStreams _streams;
-        private readonly JpegImageDecoder? _jpegDecoder;
+        private JpegDecoder? _jpegDecoder;
         private readonly KinectCapture _capture = new KinectCapture();
         private byte[] _jpeg = Array.Empty<byte>();
 
         /// <param name="recording">Read from where it stands; disposed with this source.</param>
         /// <param name="streams">The pictures to deliver; others are not read.</param>
-        /// <param name="jpegDecoder">Decodes MJPG colour; without it such colour pictures are absent.</param>
-        public KinectRecordingSource(KinectRecording recording, KinectStreams streams = KinectStreams.All, JpegImageDecoder? jpegDecoder = null)
+        public KinectRecordingSource(KinectRecording recording, KinectStreams streams = KinectStreams.All)
         {
             _recording = recording;
             _streams = streams;
-            _jpegDecoder = jpegDecoder;
             KinectTrack? track = recording.ColorTrack ?? recording.DepthTrack ?? recording.InfraredTrack;
             Info = new FrameSourceInfo(recording.Name, track?.Width ?? 0, track?.Height ?? 0, recording.Configuration.FramesPerSecond, recording.LengthUs);
         }
@@ -121,16 +121,22 @@ namespace LaserTracking.Capture.AzureKinect
 
         private string? ReadJpeg(in KinectImage source, Image target)
         {
-            if (_jpegDecoder == null)
-                return "";
-            if (source.SizeBytes > (long)source.Track!.Width * source.Track.Height * 4)
+            KinectTrack track = source.Track!;
+            if (source.SizeBytes > (long)track.Width * track.Height * 4 + MaxJpegHeader)
                 return "its JPEG is larger than the raw picture";
             if (_jpeg.Length < source.SizeBytes)
                 _jpeg = new byte[source.SizeBytes + source.SizeBytes / 4];
             Span<byte> jpeg = _jpeg.AsSpan(0, source.SizeBytes);
             if (!_recording.TryReadPayload(source, jpeg))
                 return "its payload cannot be read";
-            return _jpegDecoder(jpeg, target, source.DeviceTimeUs, out string problem) ? null : problem.Length > 0 ? problem : "its JPEG cannot be decoded";
+            _jpegDecoder ??= new JpegDecoder();
+            if (!_jpegDecoder.TryDecode(jpeg, target, source.DeviceTimeUs, out string problem))
+                return problem;
+            if (target.Width == track.Width && target.Height == track.Height)
+                return null;
+            return _recording.AcceptsProblem(source.Offset)
+                ? "its JPEG has " + target.Width + "×" + target.Height + " pixels, the track " + track.Width + "×" + track.Height
+                : "";
         }
 
         private static PixelFormat PixelFormatOf(KinectImageFormat format)

@@ -1,5 +1,4 @@
 using System;
-using System.Buffers.Binary;
 
 namespace LaserTracking.Capture.Matroska
 {
@@ -10,16 +9,11 @@ namespace LaserTracking.Capture.Matroska
     /// </summary>
     internal sealed class BlockCursor
     {
-        /// <summary>In place of a track number: blocks of every track.</summary>
-        public const long AnyTrack = -1;
-
         private const int MaxRemembered = 64;
 
         private readonly EbmlReader _reader;
         private readonly ClusterMap _clusters;
-        private readonly ProblemLog _problems;
-        private readonly long _track;
-        private readonly long _timecodeScale;
+        private readonly BlockParser _parser;
 
         private MatroskaBlock[]? _behind;
         private int _behindTop;
@@ -49,9 +43,7 @@ namespace LaserTracking.Capture.Matroska
         {
             _reader = reader;
             _clusters = clusters;
-            _problems = problems;
-            _track = track;
-            _timecodeScale = timecodeScale;
+            _parser = new BlockParser(reader, problems, track, timecodeScale);
             SeekToStart();
         }
 
@@ -131,8 +123,6 @@ namespace LaserTracking.Capture.Matroska
         private void Place(in MatroskaCluster cluster)
         {
             _cluster = cluster;
-            if (_hasCluster)
-                _clusters.Verify(ref _cluster);
             _gap = cluster.DataOffset;
             _behindCount = 0;
             _isAtStart = false;
@@ -177,6 +167,7 @@ namespace LaserTracking.Capture.Matroska
 
         private bool SearchAhead()
         {
+            _clusters.Verify(ref _cluster);
             _nextCluster = _cluster;
             long position = _gap;
             while (true)
@@ -184,7 +175,7 @@ namespace LaserTracking.Capture.Matroska
                 while (position < _nextCluster.BlocksEnd
                     && _reader.TryReadElement(position, _nextCluster.BlocksEnd, out EbmlElement element))
                 {
-                    if (TryReadBlock(_nextCluster, element, out _next))
+                    if (_parser.TryParse(_nextCluster, element, out _next))
                         return true;
                     position = element.End;
                 }
@@ -220,6 +211,7 @@ namespace LaserTracking.Capture.Matroska
 
         private bool SearchBehind()
         {
+            _clusters.Verify(ref _cluster);
             MatroskaCluster cluster = _cluster;
             long end = _gap;
             while (true)
@@ -227,7 +219,7 @@ namespace LaserTracking.Capture.Matroska
                 long position = cluster.DataOffset;
                 while (position < end && _reader.TryReadElement(position, end, out EbmlElement element))
                 {
-                    if (TryReadBlock(cluster, element, out MatroskaBlock block))
+                    if (_parser.TryParse(cluster, element, out MatroskaBlock block))
                         Remember(block);
                     position = element.End;
                 }
@@ -238,65 +230,6 @@ namespace LaserTracking.Capture.Matroska
                 cluster = previous;
                 end = cluster.BlocksEnd;
             }
-        }
-
-        /// <summary>True when the element is a block of this track.</summary>
-        private bool TryReadBlock(in MatroskaCluster cluster, in EbmlElement element, out MatroskaBlock block)
-        {
-            block = default;
-            EbmlElement body = element;
-            if (element.Id == MatroskaIds.BlockGroup)
-            {
-                var children = new EbmlChildren(_reader, element, cluster.BlocksEnd);
-                body = default;
-                while (children.MoveNext())
-                {
-                    EbmlElement child = children.Current;
-                    if (child.Id == MatroskaIds.Block && body.Id == 0)
-                        body = child;
-                    else if (child.Id == MatroskaIds.BlockDuration && _reader.TryReadUnsigned(child, out ulong duration)
-                        && duration <= (ulong)((1L << 56) / _timecodeScale))
-                        block.DurationNs = (long)duration * _timecodeScale;
-                }
-
-                if (children.IsDamaged && body.Id == 0)
-                    Report(element.Offset, "this block group is damaged and is lost");
-            }
-            else if (element.Id != MatroskaIds.SimpleBlock)
-            {
-                return false;
-            }
-
-            return body.Id != 0 && TryReadBlockHead(cluster, element, body, ref block);
-        }
-
-        private bool TryReadBlockHead(in MatroskaCluster cluster, in EbmlElement element, in EbmlElement body, ref MatroskaBlock block)
-        {
-            Span<byte> head = stackalloc byte[11];
-            head = head.Slice(0, _reader.Peek(body.DataOffset, head.Slice(0, (int)Math.Min(11, body.Size))));
-            if (!EbmlVarint.TryReadSize(head, out long track, out int length) || head.Length < length + 3 || body.Size > int.MaxValue)
-            {
-                Report(element.Offset, "this block's head is damaged; the block is lost");
-                return false;
-            }
-
-            if (track != _track && _track != AnyTrack)
-                return false;
-            block.ElementOffset = element.Offset;
-            block.ElementEnd = element.End;
-            block.ClusterOffset = cluster.Offset;
-            block.TimeNs = cluster.TimeNs + BinaryPrimitives.ReadInt16BigEndian(head.Slice(length)) * _timecodeScale;
-            block.Lacing = (BlockLacingKind)((head[length + 2] >> 1) & 3);
-            block.PayloadOffset = body.DataOffset + length + 3;
-            block.PayloadSize = (int)body.Size - length - 3;
-            block.IsSuspect = cluster.ChecksumMismatch;
-            return true;
-        }
-
-        private void Report(long offset, string what)
-        {
-            if (_problems.Accepts(offset))
-                _problems.Add(offset, what);
         }
     }
 }

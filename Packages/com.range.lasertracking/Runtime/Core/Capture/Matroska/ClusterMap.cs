@@ -1,5 +1,3 @@
-using System;
-
 namespace LaserTracking.Capture.Matroska
 {
     /// <summary>
@@ -12,16 +10,14 @@ namespace LaserTracking.Capture.Matroska
         private const int CacheSize = 64;
         private const int IndexSpacing = 32;
 
-        private readonly EbmlReader _reader;
         private readonly ClusterScanner _scanner;
         private readonly ClusterIndex _index;
         private readonly long _firstOffset;
         private readonly MatroskaCluster[] _cache = new MatroskaCluster[CacheSize];
         private int _cached;
 
-        public ClusterMap(EbmlReader reader, ClusterScanner scanner, ClusterIndex index, long firstOffset)
+        public ClusterMap(ClusterScanner scanner, ClusterIndex index, long firstOffset)
         {
-            _reader = reader;
             _scanner = scanner;
             _index = index;
             _firstOffset = firstOffset;
@@ -82,12 +78,16 @@ namespace LaserTracking.Capture.Matroska
         {
             if (!VerifiesChecksums || cluster.ChecksumVerified)
                 return;
-            _scanner.Verify(ref cluster);
-            for (int i = 0; i < CacheSize; i++)
+            int at = IndexInCache(cluster.Offset);
+            if (at >= 0 && _cache[at].ChecksumVerified)
             {
-                if (_cache[i].Offset == cluster.Offset && _cache[i].DataOffset > 0)
-                    _cache[i] = cluster;
+                cluster = _cache[at];
+                return;
             }
+
+            _scanner.Verify(ref cluster);
+            if (at >= 0)
+                _cache[at] = cluster;
         }
 
         private static bool Found(in MatroskaCluster cluster, out MatroskaCluster found)
@@ -124,13 +124,11 @@ namespace LaserTracking.Capture.Matroska
 
         private bool TryGet(long offset, out MatroskaCluster cluster)
         {
-            for (int i = 0; i < CacheSize; i++)
+            int at = IndexInCache(offset);
+            if (at >= 0)
             {
-                if (_cache[i].Offset == offset && _cache[i].DataOffset > 0)
-                {
-                    cluster = _cache[i];
-                    return true;
-                }
+                cluster = _cache[at];
+                return true;
             }
 
             if (!_scanner.TryScan(offset, out cluster))
@@ -138,6 +136,17 @@ namespace LaserTracking.Capture.Matroska
             _cache[_cached] = cluster;
             _cached = (_cached + 1) % CacheSize;
             return true;
+        }
+
+        private int IndexInCache(long offset)
+        {
+            for (int i = 0; i < CacheSize; i++)
+            {
+                if (_cache[i].Offset == offset && _cache[i].DataOffset > 0)
+                    return i;
+            }
+
+            return -1;
         }
     }
 }

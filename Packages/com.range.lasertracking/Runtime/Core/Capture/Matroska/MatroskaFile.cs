@@ -47,7 +47,7 @@ namespace LaserTracking.Capture.Matroska
 
             var scanner = new ClusterScanner(_reader, problems, _segmentEnd, _header.TimecodeScale);
             scanner.OtherElementFound = NoteLateElement;
-            Clusters = new ClusterMap(_reader, scanner, _index, firstCluster);
+            Clusters = new ClusterMap(scanner, _index, firstCluster);
             if (!hasCues)
                 _index.Clear();
             WalkToEnd();
@@ -241,7 +241,7 @@ namespace LaserTracking.Capture.Matroska
         {
             if (!Clusters.TryLast(out MatroskaCluster cluster))
                 return;
-            BlockCursor cursor = CreateCursor(BlockCursor.AnyTrack);
+            BlockCursor cursor = CreateCursor(BlockParser.AnyTrack);
             for (int i = 0; i < 8; i++)
             {
                 long last = LastTimeIn(cluster, cursor);

@@ -75,29 +75,40 @@ namespace LaserTracking.Capture.AzureKinect
         }
 
         [Test]
-        public void KinectRecordingSource_JpegThatCannotBeDecoded_LeavesTheFrameInWithAProblem()
+        public void KinectRecordingSource_JpegThatCannotBeUsed_LeavesTheFrameInWithAProblem()
         {
+            byte[] whole = Jpeg(RecordingMuxer.Width, RecordingMuxer.Height);
+            byte[] half = whole.AsSpan(0, whole.Length / 2).ToArray();
+            byte[] otherSize = Jpeg(RecordingMuxer.Width * 2, RecordingMuxer.Height);
             var muxer = new RecordingMuxer();
             muxer.AddVideo(RecordingMuxer.Color, "COLOR", "MJPG");
-            for (ulong i = 0; i < 3; i++)
-                muxer.AddCluster(i * 33333, RecordingMuxer.SimpleBlock(RecordingMuxer.Color, 0, 0x80, new byte[] { 0xFF, 0xD8, (byte)i }));
-            using var source = new KinectRecordingSource(new KinectRecording(new MemoryStream(muxer.ToArray()), "test"), KinectStreams.All, Decode);
-            using var frame = new Frame();
-            for (int i = 0; i < 3; i++)
+            ulong time = 0;
+            foreach (byte[] jpeg in new[] { whole, half, whole, otherSize, new byte[70000], whole })
             {
-                Assert.That(source.TryRead(frame), Is.True);
-                Assert.That(frame.Color.IsPresent, Is.EqualTo(i != 1));
+                muxer.AddCluster(time, RecordingMuxer.SimpleBlock(RecordingMuxer.Color, 0, 0x80, jpeg));
+                time += 33333;
             }
 
-            Assert.That(source.Problems.Count, Is.EqualTo(1));
-            Assert.That(source.Problems[0].FrameIndex, Is.EqualTo(1));
-            Assert.That(source.Problems[0].What, Does.Contain("half of it"));
-
-            static bool Decode(ReadOnlySpan<byte> jpeg, Image target, long timeUs, out string problem)
+            using var source = new KinectRecordingSource(new KinectRecording(new MemoryStream(muxer.ToArray()), "test"));
+            using var frame = new Frame();
+            for (int i = 0; i < 6; i++)
             {
-                target.Reset(PixelFormat.Gray8, 16, 8, timeUs);
-                problem = jpeg[2] == 1 ? "half of it is missing" : "";
-                return jpeg[2] != 1;
+                Assert.That(source.TryRead(frame), Is.True);
+                Assert.That(frame.Index, Is.EqualTo(i));
+                Assert.That(frame.Color.IsPresent, Is.EqualTo(i == 0 || i == 2 || i == 5));
+            }
+
+            Assert.That(source.Problems.Count, Is.EqualTo(3));
+            Assert.That(source.Problems[0].FrameIndex, Is.EqualTo(1));
+            Assert.That(source.Problems[1].What, Does.Contain("32×8"));
+            Assert.That(source.Problems[2].What, Does.Contain("larger than the raw picture"));
+
+            static byte[] Jpeg(int width, int height)
+            {
+                using var picture = new Image();
+                picture.Reset(PixelFormat.Nv12, width, height, 0);
+                picture.Bytes.Fill(128);
+                return new JpegEncoder().Encode(picture).ToArray();
             }
         }
 

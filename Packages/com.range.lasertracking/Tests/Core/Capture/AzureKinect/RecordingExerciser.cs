@@ -1,8 +1,6 @@
 using System;
 using System.Diagnostics;
 using System.IO;
-using LaserTracking.Capture.Matroska;
-using LaserTracking.Imaging;
 using NUnit.Framework;
 
 namespace LaserTracking.Capture.AzureKinect
@@ -13,9 +11,14 @@ namespace LaserTracking.Capture.AzureKinect
         /// <summary>What opening and reading costs for any file: pages, caches, tables, at most 200 problems.</summary>
         private const long FixedAllocation = 300000;
 
+        private static readonly TimeSpan Limit = TimeSpan.FromSeconds(1);
+
         private readonly KinectCapture _capture = new KinectCapture();
         private readonly Frame _frame = new Frame();
-        private readonly JpegImageDecoder _decoder = RefuseJpeg;
+        private readonly KinectStreams _streams;
+
+        /// <param name="streams">Pictures to read; without colour where decoding its JPEGs would take the test's time.</param>
+        public RecordingExerciser(KinectStreams streams) => _streams = streams;
 
         /// <summary>Number of files that could be opened.</summary>
         public int Opened { get; private set; }
@@ -24,7 +27,19 @@ namespace LaserTracking.Capture.AzureKinect
 
         public TimeSpan Slowest { get; private set; }
 
+        /// <summary>A file that seems to take too long is tried once more: other work on the machine is no hang.</summary>
         public void Run(byte[] bytes, string what)
+        {
+            TimeSpan time = RunOnce(bytes, what);
+            if (time > Limit)
+                time = RunOnce(bytes, what);
+            if (time > Limit)
+                Assert.Fail(what + ": took " + time);
+            if (time > Slowest)
+                Slowest = time;
+        }
+
+        private TimeSpan RunOnce(byte[] bytes, string what)
         {
             var watch = Stopwatch.StartNew();
             long before = GC.GetAllocatedBytesForCurrentThread();
@@ -45,18 +60,15 @@ namespace LaserTracking.Capture.AzureKinect
 
             long allocated = GC.GetAllocatedBytesForCurrentThread() - before;
             watch.Stop();
-            if (watch.Elapsed > Slowest)
-                Slowest = watch.Elapsed;
             if (allocated > 4L * bytes.Length + FixedAllocation)
                 Assert.Fail(what + ": " + allocated + " bytes allocated for a file of " + bytes.Length);
-            if (watch.ElapsedMilliseconds > 1000)
-                Assert.Fail(what + ": took " + watch.Elapsed);
+            return watch.Elapsed;
         }
 
         private void ReadEverything(KinectRecording recording, int fileSize, string what)
         {
             recording.VerifiesChecksums = true;
-            using var source = new KinectRecordingSource(recording, KinectStreams.All, _decoder);
+            using var source = new KinectRecordingSource(recording, _streams);
             int most = fileSize / 6 + 1;
             int count = 0;
             while (source.TryRead(_frame))
@@ -104,12 +116,6 @@ namespace LaserTracking.Capture.AzureKinect
             }
 
             recording.TryReadCalibration(out _);
-        }
-
-        private static bool RefuseJpeg(ReadOnlySpan<byte> jpeg, Image target, long timeUs, out string problem)
-        {
-            problem = "";
-            return false;
         }
     }
 }

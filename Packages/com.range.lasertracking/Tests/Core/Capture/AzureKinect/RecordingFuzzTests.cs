@@ -16,7 +16,7 @@ namespace LaserTracking.Capture.AzureKinect
         public void KinectRecording_ThousandsOfDamagedFiles_AreSurvived(EbmlBuilder.SizeField segmentSize, EbmlBuilder.SizeField clusterSize, bool isUnfinished)
         {
             var mutator = new RecordingMutator(Create(segmentSize, clusterSize, isUnfinished));
-            var exerciser = new RecordingExerciser();
+            var exerciser = new RecordingExerciser(KinectStreams.All);
             for (int seed = 0; seed < FilesPerKind; seed++)
                 exerciser.Run(mutator.Mutate(seed), "seed " + seed);
 

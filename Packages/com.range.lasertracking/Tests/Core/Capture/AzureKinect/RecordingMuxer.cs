@@ -18,6 +18,7 @@ namespace LaserTracking.Capture.AzureKinect
 
         private readonly List<byte[]> _tracks = new List<byte[]>();
         private readonly List<byte[]> _tags = new List<byte[]>();
+        private readonly List<byte[]> _attachments = new List<byte[]>();
         private readonly List<byte[]> _clusters = new List<byte[]>();
         private readonly List<ulong> _clusterTimes = new List<ulong>();
 
@@ -46,12 +47,12 @@ namespace LaserTracking.Capture.AzureKinect
             return muxer;
         }
 
-        public void AddVideo(int number, string name, string fourCc, uint periodNs = 33333333)
+        public void AddVideo(int number, string name, string fourCc, uint periodNs = 33333333, int width = Width, int height = Height)
         {
             var header = new byte[40];
             header[0] = 40;
-            header[4] = Width;
-            header[8] = Height;
+            BitConverter.GetBytes(width).CopyTo(header, 4);
+            BitConverter.GetBytes(height).CopyTo(header, 8);
             Encoding.ASCII.GetBytes(fourCc).CopyTo(header, 16);
             _tracks.Add(EbmlBuilder.Element(MatroskaIds.TrackEntry,
                 EbmlBuilder.Unsigned(MatroskaIds.TrackNumber, (ulong)number),
@@ -62,7 +63,7 @@ namespace LaserTracking.Capture.AzureKinect
                 EbmlBuilder.Text(MatroskaIds.TrackName, name),
                 EbmlBuilder.Unsigned(MatroskaIds.DefaultDuration, periodNs),
                 EbmlBuilder.Element(MatroskaIds.Video,
-                    EbmlBuilder.Unsigned(MatroskaIds.PixelWidth, Width), EbmlBuilder.Unsigned(MatroskaIds.PixelHeight, Height))));
+                    EbmlBuilder.Unsigned(MatroskaIds.PixelWidth, (ulong)width), EbmlBuilder.Unsigned(MatroskaIds.PixelHeight, (ulong)height))));
         }
 
         public void AddData(int number, string name, string codec)
@@ -75,12 +76,20 @@ namespace LaserTracking.Capture.AzureKinect
                 EbmlBuilder.Text(MatroskaIds.TrackName, name)));
         }
 
-        public void AddTag(string name, string value)
+        public void AddTag(string name, string value, ulong attachmentUid = 0)
         {
             _tags.Add(EbmlBuilder.Element(MatroskaIds.Tag,
-                EbmlBuilder.Element(MatroskaIds.Targets, EbmlBuilder.Unsigned(MatroskaIds.TagTrackUid, 0)),
+                EbmlBuilder.Element(MatroskaIds.Targets, EbmlBuilder.Unsigned(MatroskaIds.TagAttachmentUid, attachmentUid)),
                 EbmlBuilder.Element(MatroskaIds.SimpleTag,
                     EbmlBuilder.Text(MatroskaIds.TagName, name), EbmlBuilder.Text(MatroskaIds.TagString, value))));
+        }
+
+        public void AddAttachment(string name, ulong uid, byte[] content)
+        {
+            _attachments.Add(EbmlBuilder.Element(MatroskaIds.AttachedFile,
+                EbmlBuilder.Text(MatroskaIds.FileName, name),
+                EbmlBuilder.Unsigned(MatroskaIds.FileUid, uid),
+                EbmlBuilder.Element(MatroskaIds.FileData, content)));
         }
 
         public void AddCluster(ulong timecode, params byte[][] blocks)
@@ -125,7 +134,8 @@ namespace LaserTracking.Capture.AzureKinect
             byte[] info = WritesInfo ? EbmlBuilder.Element(MatroskaIds.Info, EbmlBuilder.Unsigned(MatroskaIds.TimecodeScale, 1000)) : Array.Empty<byte>();
             byte[] tracks = EbmlBuilder.Element(MatroskaIds.Tracks, _tracks.ToArray());
             byte[] tags = EbmlBuilder.Element(MatroskaIds.Tags, _tags.ToArray());
-            byte[] front = EbmlBuilder.Join(info, tracks, tags, EbmlBuilder.Element(MatroskaIds.Void, new byte[7]));
+            byte[] attachments = EbmlBuilder.Element(MatroskaIds.Attachments, _attachments.ToArray());
+            byte[] front = EbmlBuilder.Join(info, tracks, attachments, tags, EbmlBuilder.Element(MatroskaIds.Void, new byte[7]));
             byte[] seekHead = SeekHead(0);
             var positions = new List<long>();
             long position = seekHead.Length + front.Length;
