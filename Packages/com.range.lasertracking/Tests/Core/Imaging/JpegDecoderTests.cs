@@ -117,6 +117,17 @@ namespace LaserTracking.Imaging
         }
 
         [Test]
+        public void TryDecode_444FromAnotherEncoder_EqualsLibjpegToTheBit()
+        {
+            // FNV-1a over the pixels that Chromium (libjpeg-turbo) decodes from the same bytes.
+            Assert.That(_decoder.TryDecode(Convert.FromBase64String(Picture444), _decoded, 0, out string problem), Is.True, problem);
+            ulong hash = 14695981039346656037;
+            foreach (byte value in _decoded.Bytes)
+                hash = unchecked((hash ^ value) * 1099511628211);
+            Assert.That(hash, Is.EqualTo(0xa849467df7b8e1b8));
+        }
+
+        [Test]
         public void TryDecode_CommentsAndFillBytes_AreSkipped()
         {
             TestPictures.Fill(_source, PixelFormat.Gray8, 16, 16);

@@ -27,9 +27,15 @@ namespace LaserTracking.Imaging
         public static void Transform(short* coefficients, byte* samples)
         {
 #if NET8_0_OR_GREATER
-            if (JpegInverseDctVector.IsSupported)
+            if (JpegInverseDctVector256.IsSupported)
             {
-                JpegInverseDctVector.Transform(coefficients, samples);
+                JpegInverseDctVector256.Transform(coefficients, samples);
+                return;
+            }
+
+            if (JpegInverseDctVector128.IsSupported)
+            {
+                JpegInverseDctVector128.Transform(coefficients, samples);
                 return;
             }
 #endif

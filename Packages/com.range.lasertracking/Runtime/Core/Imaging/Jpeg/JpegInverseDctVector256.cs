@@ -6,7 +6,7 @@ using System.Runtime.Intrinsics.X86;
 namespace LaserTracking.Imaging
 {
     /// <summary>The arithmetic of <see cref="JpegInverseDct"/> on eight columns, then eight rows, at once.</summary>
-    internal static unsafe class JpegInverseDctVector
+    internal static unsafe class JpegInverseDctVector256
     {
         public static bool IsSupported => Avx2.IsSupported;
 
