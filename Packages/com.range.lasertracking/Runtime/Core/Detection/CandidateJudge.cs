@@ -42,15 +42,14 @@ namespace LaserTracking.Detection
                 || Fails(ref candidate, candidate.Area < _settings.MinAreaPx * area, RejectionReason.TooSmall, candidate.Area / area, _settings.MinAreaPx))
                 return;
             bool isFaint = isLargest || rise < _settings.ConclusiveRise;
-            double minCompactness = isFaint ? _settings.MinFaintCompactness : _settings.MinCompactness;
-            if (Fails(ref candidate, candidate.Compactness < minCompactness, RejectionReason.NotCompact, candidate.Compactness, minCompactness))
+            if (Fails(ref candidate, candidate.Compactness < _settings.MinCompactness, RejectionReason.NotCompact, candidate.Compactness, _settings.MinCompactness))
                 return;
             candidate.Strength = candidate.PeakRise * Math.Sqrt(candidate.Area / area);
             double minStrength = _settings.MinStrength + _settings.StrengthPerActivity * candidate.Activity;
             if (Fails(ref candidate, candidate.Strength < minStrength, RejectionReason.TooFaint, candidate.Strength, minStrength))
                 return;
             double elongation = candidate.LongSigma / candidate.ShortSigma;
-            double maxElongation = isLargest ? _settings.MaxLargestElongation : isFaint ? _settings.MaxFaintElongation : _settings.MaxElongation;
+            double maxElongation = isLargest ? _settings.MaxLargestElongation : rise < _settings.StreakRise ? _settings.MaxFaintElongation : _settings.MaxElongation;
             if (Fails(ref candidate, elongation > maxElongation, RejectionReason.TooElongated, elongation, maxElongation))
                 return;
             JudgeSurroundings(view, ref candidate, memory, out known, isFaint, elongation);
@@ -71,8 +70,8 @@ namespace LaserTracking.Detection
             }
 
             double minFreshness = isFaint ? _settings.MinFaintFreshness : _settings.MinFreshness;
-            if (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, fresh, 0.5)
-                || Fails(ref candidate, candidate.Freshness < minFreshness, RejectionReason.NotNew, candidate.Freshness, minFreshness))
+            if (Fails(ref candidate, candidate.Freshness < minFreshness, RejectionReason.NotNew, candidate.Freshness, minFreshness)
+                || Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, fresh, 0.5))
                 return;
 
             // Large dots are bright lasers: their rim has the colour of one. Large things without it are round at least, or no dots.

@@ -28,7 +28,7 @@ namespace LaserTracking.Detection
 
         public ReadOnlySpan<RejectedCandidate> Rejected => new ReadOnlySpan<RejectedCandidate>(_rejected, 0, _rejectedCount);
 
-        /// <summary>Dots and rejected candidates that found no room.</summary>
+        /// <summary>Dots and rejected candidates that found no room, and spots that there was no time to examine.</summary>
         public int OverflowCount { get; private set; }
 
         /// <summary>Width of the picture in which they were found, px; 0 when there was none. The scale for distances.</summary>
@@ -53,6 +53,9 @@ namespace LaserTracking.Detection
             else
                 OverflowCount++;
         }
+
+        /// <summary>Says that this many spots were left unexamined.</summary>
+        public void Skip(int count) => OverflowCount += count;
 
         public void Reject(in RejectedCandidate candidate)
         {

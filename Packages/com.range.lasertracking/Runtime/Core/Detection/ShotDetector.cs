@@ -128,6 +128,7 @@ namespace LaserTracking.Detection
             // Two rounds: a tile may hold two dots. The highest rise goes first, or a faint neighbour would grow into it and take it along.
             _blobs.Begin();
             ReadOnlySpan<int> hot = tiles.FindHot(GateFloor, _settings.MaxCandidates);
+            detections.Skip(tiles.HotCount - hot.Length);
             for (int round = 0; round < 2; round++)
             {
                 int seeds = 0;

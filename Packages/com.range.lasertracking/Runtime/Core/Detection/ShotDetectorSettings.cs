@@ -37,15 +37,15 @@ namespace LaserTracking.Detection
         public double MaxAreaPx { get; set; } = 600;
 
         /// <summary>Least area through that of the ellipse with the same second moments, 0…1.</summary>
-        public double MinCompactness { get; set; } = 0.5;
-
-        /// <summary>The same where the rise would not be conclusive.</summary>
-        public double MinFaintCompactness { get; set; } = 0.7;
+        public double MinCompactness { get; set; } = 0.7;
 
         /// <summary>Largest length through width, 1…100.</summary>
         public double MaxElongation { get; set; } = 12;
 
-        /// <summary>The same where the rise would not be conclusive.</summary>
+        /// <summary>Least rise of a streak, share of the headroom 0…1: light smeared that far and still this bright is a laser's.</summary>
+        public double StreakRise { get; set; } = 0.6;
+
+        /// <summary>Largest length through width where the rise is below that of a streak.</summary>
         public double MaxFaintElongation { get; set; } = 4.5;
 
         /// <summary>The same for a candidate that is neither vivid nor small enough for one frame to suffice.</summary>
@@ -139,7 +139,6 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MinAreaPx), MinAreaPx, 0, 10000);
             SettingCheck.InRange(nameof(MaxAreaPx), MaxAreaPx, 1, 100000);
             SettingCheck.InRange(nameof(MinCompactness), MinCompactness, 0, 1);
-            SettingCheck.InRange(nameof(MinFaintCompactness), MinFaintCompactness, 0, 1);
             SettingCheck.InRange(nameof(MaxBluntElongation), MaxBluntElongation, 1, 100);
             SettingCheck.InRange(nameof(MaxElongation), MaxElongation, 1, 100);
             SettingCheck.InRange(nameof(MaxLargestElongation), MaxLargestElongation, 1, 100);
@@ -165,6 +164,7 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MinFaintFreshness), MinFaintFreshness, 0, 100);
             SettingCheck.InRange(nameof(MinBluntCoherence), MinBluntCoherence, 0, 1);
             SettingCheck.InRange(nameof(VividStrength), VividStrength, 0, 10000);
+            SettingCheck.InRange(nameof(StreakRise), StreakRise, 0, 1);
             SettingCheck.InRange(nameof(MaxCandidates), MaxCandidates, 1, 4096);
         }
 

@@ -1,0 +1,126 @@
+using System;
+using LaserTracking.Imaging;
+using NUnit.Framework;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>Vector kernels against their scalar form, over sizes around every block length; scalar ones against plain arithmetic.</summary>
+    public sealed unsafe class DetectionKernelTests
+    {
+        private static readonly int[] Widths = { 1, 2, 3, 7, 8, 9, 15, 16, 17, 31, 32, 33, 63, 64, 65, 66, 127, 130 };
+
+        [TestCase(PixelFormat.Bgra32, 1)]
+        [TestCase(PixelFormat.Bgra32, 2)]
+        [TestCase(PixelFormat.Nv12, 1)]
+        [TestCase(PixelFormat.Nv12, 2)]
+        [TestCase(PixelFormat.Yuy2, 1)]
+        [TestCase(PixelFormat.Yuy2, 2)]
+        [TestCase(PixelFormat.Gray8, 2)]
+        public void Reduction_VectorAndScalar_AreEqualAndTheMaximumOfTheirPixels(PixelFormat format, int factor)
+        {
+            var random = new Random(7);
+            foreach (int width in Widths)
+            {
+                if (format != PixelFormat.Bgra32 && format != PixelFormat.Gray8 && width % 2 != 0)
+                    continue;
+                using (var image = new Image())
+                {
+                    int height = format == PixelFormat.Nv12 ? 4 : 5;
+                    image.Reset(format, width, height, 0);
+                    random.NextBytes(image.Bytes);
+                    int reduced = ReductionKernel.ReducedSize(width, factor);
+                    var scalar = new uint[reduced];
+                    var vector = new uint[reduced];
+                    for (int y = 0; y < ReductionKernel.ReducedSize(height, factor); y++)
+                    {
+                        fixed (uint* s = scalar, v = vector)
+                        {
+                            ReductionKernel.Row(image, y, factor, s, false);
+                            ReductionKernel.Row(image, y, factor, v, true);
+                        }
+
+                        Assert.That(vector, Is.EqualTo(scalar), format + " " + width);
+                        for (int x = 0; x < reduced; x++)
+                            Assert.That(scalar[x] & 0xFFFFFF, Is.EqualTo(Reference(image, x, y, factor)), format + " " + width + " at " + x + "," + y);
+                    }
+                }
+            }
+        }
+
+        [Test]
+        public void Envelope_VectorAndScalar_AreEqual()
+        {
+            var random = new Random(9);
+            foreach (int width in Widths)
+            {
+                var pixels = new uint[width];
+                var old = new byte[2 * width];
+                for (int i = 0; i < width; i++)
+                    pixels[i] = (uint)random.Next() * 2u + (uint)random.Next(2);
+                random.NextBytes(old);
+                var scalar = new byte[4 * width];
+                random.NextBytes(scalar);
+                var vector = (byte[])scalar.Clone();
+                fixed (uint* p = pixels)
+                fixed (byte* o = old, s = scalar, v = vector)
+                {
+                    EnvelopeKernel.Row(p, width, 6, o, s, o + width, s + width, s + 2 * width, s + 3 * width, false);
+                    EnvelopeKernel.Row(p, width, 6, o, v, o + width, v + width, v + 2 * width, v + 3 * width, true);
+                }
+
+                Assert.That(vector, Is.EqualTo(scalar), "width " + width);
+                int smallest = (int)Math.Min(pixels[0] & 255, Math.Min(pixels[0] >> 8 & 255, pixels[0] >> 16 & 255));
+                Assert.That(scalar[0], Is.EqualTo(Math.Max(smallest, old[0] - 6)));
+            }
+        }
+
+        [Test]
+        public void Smoothing_VectorAndScalar_AreEqualAndKeepAConstant()
+        {
+            var random = new Random(11);
+            foreach (int width in Widths)
+            {
+                var rows = new uint[3 * width];
+                for (int i = 0; i < rows.Length; i++)
+                    rows[i] = (uint)random.Next() * 2u;
+                var scalar = new uint[2 * width];
+                var vector = new uint[2 * width];
+                fixed (uint* r = rows, s = scalar, v = vector)
+                {
+                    SmoothingKernel.Horizontal(r, width, s, false);
+                    SmoothingKernel.Horizontal(r, width, v, true);
+                    SmoothingKernel.Vertical(r, r + width, r + 2 * width, width, s + width, false);
+                    SmoothingKernel.Vertical(r, r + width, r + 2 * width, width, v + width, true);
+                }
+
+                Assert.That(vector, Is.EqualTo(scalar), "width " + width);
+            }
+
+            var flat = new uint[] { 0x01FF7F80, 0x01FF7F80, 0x01FF7F80 };
+            var result = new uint[3];
+            fixed (uint* f = flat, t = result)
+                SmoothingKernel.Horizontal(f, 3, t, true);
+            Assert.That(result, Is.EqualTo(flat));
+        }
+
+        /// <summary>Per channel the largest of the pixels that fall into the block.</summary>
+        private static uint Reference(Image image, int x, int y, int factor)
+        {
+            uint blue = 0, green = 0, red = 0;
+            var row = new uint[image.Width];
+            for (int sy = y * factor; sy < Math.Min(image.Height, (y + 1) * factor); sy++)
+            {
+                fixed (uint* r = row)
+                    PixelRow.ToBgra(image, sy, 0, image.Width, r);
+                for (int sx = x * factor; sx < Math.Min(image.Width, (x + 1) * factor); sx++)
+                {
+                    blue = Math.Max(blue, row[sx] & 255);
+                    green = Math.Max(green, row[sx] >> 8 & 255);
+                    red = Math.Max(red, row[sx] >> 16 & 255);
+                }
+            }
+
+            return blue | green << 8 | red << 16;
+        }
+    }
+}

@@ -1,0 +1,184 @@
+using System;
+using LaserTracking.Imaging;
+using LaserTracking.Tracking;
+using NUnit.Framework;
+
+namespace LaserTracking.Detection
+{
+    public sealed class ShotDetectorTests
+    {
+        private static FrameBuilder Wall(FrameBuilder b) => b.Wall(90, 100, 110);
+
+        [TestCase(PixelFormat.Bgra32)]
+        [TestCase(PixelFormat.Nv12)]
+        [TestCase(PixelFormat.Yuy2)]
+        public void Process_SaturatedDotOfOneFrame_IsOneGreenShotAtItsPlace(PixelFormat format)
+        {
+            var run = new DetectionRun { Format = format };
+            run.Play(0, 8, (b, i) => Wall(b));
+            run.Play(8, 1, (b, i) => Wall(b).GreenDot(151.3, 97.6));
+            run.Play(9, 6, (b, i) => Wall(b));
+            Assert.That(run.Shots.Count, Is.EqualTo(1));
+            Shot shot = run.Shots[0];
+            Assert.That(shot.FrameIndex, Is.EqualTo(8), "one frame suffices");
+            Assert.That(shot.FirstFrameIndex, Is.EqualTo(8));
+            Assert.That(shot.TimeUs, Is.EqualTo(8 * run.IntervalUs));
+            Assert.That(shot.Dot.PositionPx.X, Is.EqualTo(151.3).Within(0.15));
+            Assert.That(shot.Dot.PositionPx.Y, Is.EqualTo(97.6).Within(0.15));
+            Assert.That(shot.Dot.Color, Is.EqualTo(LaserColor.Green));
+            Assert.That(shot.Dot.Peak, Is.EqualTo(255));
+            Assert.That(shot.Dot.Confidence, Is.InRange(0.5, 1));
+        }
+
+        [Test]
+        public void Process_RedDot_IsRed()
+        {
+            var run = new DetectionRun();
+            run.Play(0, 8, (b, i) => Wall(b));
+            run.Play(8, 1, (b, i) => Wall(b).RedDot(60, 200));
+            run.Play(9, 6, (b, i) => Wall(b));
+            Assert.That(run.Shots.Count, Is.EqualTo(1));
+            Assert.That(run.Shots[0].Dot.Color, Is.EqualTo(LaserColor.Red));
+        }
+
+        [Test]
+        public void Process_UnsaturatedDotOnDarkWall_IsFound()
+        {
+            var run = new DetectionRun();
+            run.Play(0, 8, (b, i) => b.Wall(20, 22, 20));
+            run.Play(8, 2, (b, i) => b.Wall(20, 22, 20).GreenDot(200, 120, 2, 0.08));
+            run.Play(10, 6, (b, i) => b.Wall(20, 22, 20));
+            Assert.That(run.Shots.Count, Is.EqualTo(1));
+            Assert.That(run.Shots[0].Dot.Color, Is.EqualTo(LaserColor.Green));
+        }
+
+        [Test]
+        public void Process_Streak_IsOneShotWithItsVector()
+        {
+            var run = new DetectionRun();
+            run.Play(0, 8, (b, i) => Wall(b));
+            run.Play(8, 1, (b, i) => Wall(b).GreenStreak(100, 100, 124, 110));
+            run.Play(9, 6, (b, i) => Wall(b));
+            Assert.That(run.Shots.Count, Is.EqualTo(1));
+            Dot dot = run.Shots[0].Dot;
+            Assert.That(dot.PositionPx.X, Is.EqualTo(112).Within(1));
+            Assert.That(dot.PositionPx.Y, Is.EqualTo(105).Within(1));
+            Assert.That(dot.StreakPx.Length, Is.EqualTo(26).Within(6));
+            Assert.That(Math.Abs(dot.StreakPx.Y / dot.StreakPx.X), Is.EqualTo(10.0 / 24).Within(0.1));
+        }
+
+        [Test]
+        public void Process_DotThatStaysOn_IsOneShotAndThenATrackedDot()
+        {
+            var run = new DetectionRun();
+            run.Play(0, 8, (b, i) => Wall(b));
+            for (int i = 8; i < 40; i++)
+            {
+                int dots = run.Play(i, 1, (b, n) => Wall(b).GreenDot(151.3, 97.6));
+                Assert.That(dots, Is.EqualTo(1), "frame " + i);
+            }
+
+            Assert.That(run.Play(40, 1, (b, i) => Wall(b)), Is.EqualTo(0));
+            Assert.That(run.Shots.Count, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Process_DoubleTapATenthOfASecondApart_AreTwoShots()
+        {
+            var run = new DetectionRun();
+            run.Play(0, 8, (b, i) => Wall(b));
+            run.Play(8, 1, (b, i) => Wall(b).GreenDot(151, 97));
+            run.Play(9, 2, (b, i) => Wall(b));
+            run.Play(11, 1, (b, i) => Wall(b).GreenDot(152, 98));
+            run.Play(12, 6, (b, i) => Wall(b));
+            Assert.That(run.Shots.Count, Is.EqualTo(2));
+            Assert.That(run.Shots[1].FrameIndex, Is.EqualTo(11));
+        }
+
+        [Test]
+        public void Process_TwoLasersAtOnce_AreTwoShots()
+        {
+            var run = new DetectionRun();
+            run.Play(0, 8, (b, i) => Wall(b));
+            run.Play(8, 2, (b, i) => Wall(b).GreenDot(100, 97).RedDot(125, 110));
+            run.Play(10, 6, (b, i) => Wall(b));
+            Assert.That(run.Shots.Count, Is.EqualTo(2));
+            Assert.That(run.Shots[0].Dot.Color, Is.Not.EqualTo(run.Shots[1].Dot.Color));
+        }
+
+        [Test]
+        public void Process_WholePictureFlash_IsNoShot()
+        {
+            var run = new DetectionRun();
+            run.Play(0, 8, (b, i) => Wall(b));
+            run.Play(8, 1, (b, i) => Wall(b).Multiply(1.8f));
+            run.Play(9, 6, (b, i) => Wall(b));
+            Assert.That(run.Shots, Is.Empty);
+        }
+
+        [TestCase(1.05f)]
+        [TestCase(1.4f)]
+        public void Process_ExposureSteps_GiveNoShots(float gain)
+        {
+            var run = new DetectionRun();
+            run.Play(0, 60, (b, i) => Wall(b).Box(100, 60, 40, 60, 180, 180, 180).Multiply(i / 10 % 2 == 0 ? 1 : gain));
+            Assert.That(run.Shots, Is.Empty);
+        }
+
+        [Test]
+        public void Process_MovingShapes_GiveNoShotsAndADotBesideThemDoes()
+        {
+            var run = new DetectionRun();
+            run.Play(0, 40, (b, i) => Shapes(Wall(b), i));
+            Assert.That(run.Shots, Is.Empty);
+            run.Play(40, 1, (b, i) => Shapes(Wall(b), i).GreenDot(290, 210));
+            run.Play(41, 6, (b, i) => Shapes(Wall(b), i));
+            Assert.That(run.Shots.Count, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Process_NoiseOnly_GivesNoShots()
+        {
+            foreach (double sigma in new[] { 1.0, 4.0, 8.0 })
+            {
+                var run = new DetectionRun();
+                run.Builder.NoiseSigma = sigma;
+                run.Play(0, 60, (b, i) => Wall(b));
+                Assert.That(run.Shots, Is.Empty, "sigma " + sigma);
+            }
+        }
+
+        [Test]
+        public void Process_NoisyPicture_StillShowsTheDot()
+        {
+            var run = new DetectionRun();
+            run.Builder.NoiseSigma = 6;
+            run.Play(0, 20, (b, i) => Wall(b));
+            run.Play(20, 2, (b, i) => Wall(b).GreenDot(151.3, 97.6));
+            run.Play(22, 6, (b, i) => Wall(b));
+            Assert.That(run.Shots.Count, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void SetScreenPolygon_DotOutside_IsRejectedWithItsDistance()
+        {
+            var run = new DetectionRun();
+            run.Detector.SetScreenPolygon(new[] { P(20, 20), P(200, 20), P(200, 200), P(20, 200) });
+            run.Play(0, 8, (b, i) => Wall(b));
+            run.Play(8, 1, (b, i) => Wall(b).GreenDot(230, 100).GreenDot(100, 100));
+            run.Play(9, 6, (b, i) => Wall(b));
+            Assert.That(run.Shots.Count, Is.EqualTo(1));
+            Assert.That(run.Shots[0].Dot.PositionPx.X, Is.EqualTo(100).Within(1));
+            RejectedCandidate outside = run.Rejected.Find(r => r.Reason == RejectionReason.OutsideScreen);
+            Assert.That(outside.Value, Is.EqualTo(30).Within(1));
+            Assert.That(outside.Limit, Is.EqualTo(0));
+        }
+
+        private static FrameBuilder Shapes(FrameBuilder b, int i) => b
+            .Box(40 + 5 * i % 120, 60, 30, 30, 245, 245, 245)
+            .Box(60, 30 + 4 * i % 100, 36, 24, 30, 40, 250)
+            .Box(150 - 3 * i % 80, 160, 60, 14, 60, 240, 250);
+
+        private static Geometry.Vector2D P(double x, double y) => new Geometry.Vector2D(x, y);
+    }
+}

@@ -1,0 +1,175 @@
+using System;
+using LaserTracking.Detection;
+using LaserTracking.Geometry;
+using NUnit.Framework;
+
+namespace LaserTracking.Tracking
+{
+    public sealed class ShotTrackerTests
+    {
+        private readonly Detections _detections = new Detections();
+        private ShotTracker _tracker = new ShotTracker();
+
+        [SetUp]
+        public void NewTracker() => _tracker = new ShotTracker();
+
+        [Test]
+        public void Process_ConclusiveDotOverThreeFrames_IsOneShotAtItsFirstPlace()
+        {
+            Frame(0);
+            Frame(1, Dot(100, 100, true));
+            Assert.That(_tracker.Shots.Length, Is.EqualTo(1));
+            Shot shot = _tracker.Shots[0];
+            Frame(2, Dot(118, 105, true));
+            Assert.That(_tracker.Shots.Length, Is.EqualTo(0));
+            Assert.That(_tracker.Dots.Length, Is.EqualTo(1));
+            Assert.That(_tracker.Dots[0].TrackId, Is.EqualTo(shot.TrackId));
+            Frame(3, Dot(136, 110, true));
+            Assert.That(_tracker.Shots.Length, Is.EqualTo(0));
+            Assert.That(shot.Dot.PositionPx, Is.EqualTo(new Vector2D(100, 100)));
+            Assert.That(shot.TimeSigmaUs, Is.EqualTo(33333 / Math.Sqrt(12)).Within(1));
+        }
+
+        [Test]
+        public void Process_FaintFirstLightFifteenPixelsAway_IsLinkedAndGivesTheFirstFrame()
+        {
+            Frame(0);
+            Frame(1, Dot(100, 100, false));
+            Assert.That(_tracker.Shots.Length, Is.EqualTo(0));
+            Frame(2, Dot(112, 109, true));
+            Assert.That(_tracker.Shots.Length, Is.EqualTo(1));
+            Assert.That(_tracker.Shots[0].FirstFrameIndex, Is.EqualTo(1));
+            Assert.That(_tracker.Shots[0].FrameIndex, Is.EqualTo(2));
+            Assert.That(_tracker.Shots[0].Dot.PositionPx.X, Is.EqualTo(100));
+        }
+
+        [Test]
+        public void Process_InconclusiveDotThatVanishesSharply_CountsOneFrameLater()
+        {
+            Frame(0);
+            Frame(1, Dot(100, 100, false));
+            Frame(2);
+            Assert.That(_tracker.Shots.Length, Is.EqualTo(1));
+            Assert.That(_tracker.Shots[0].FrameIndex, Is.EqualTo(2));
+            Assert.That(_tracker.Shots[0].LastFrameIndex, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Process_InconclusiveDotThatLeavesSomethingBehind_IsNotConfirmed()
+        {
+            Frame(0);
+            Frame(1, Dot(100, 100, false));
+            Begin(2);
+            _detections.Reject(new RejectedCandidate { PositionPx = new Vector2D(102, 100), Reason = RejectionReason.NotIsolated });
+            _tracker.Process(_detections);
+            Assert.That(_tracker.Shots.Length, Is.EqualTo(0));
+            Assert.That(_tracker.Rejected.Length, Is.EqualTo(1));
+            Assert.That(_tracker.Rejected[0].Reason, Is.EqualTo(RejectionReason.NotConfirmed));
+        }
+
+        [Test]
+        public void Process_InconclusiveDotThatStays_IsNotConfirmed()
+        {
+            Frame(0);
+            int shots = 0, rejected = 0;
+            for (int i = 1; i < 12; i++)
+            {
+                Frame(i, Dot(100, 100, false, i == 1));
+                shots += _tracker.Shots.Length;
+                rejected += _tracker.Rejected.Length;
+            }
+
+            Assert.That(shots, Is.EqualTo(0));
+            Assert.That(rejected, Is.GreaterThan(0));
+        }
+
+        [Test]
+        public void Process_DoubleTapAtOneSpot_AreTwoShotsOfOneTrack()
+        {
+            Frame(0);
+            Frame(1, Dot(100, 100, true));
+            int track = _tracker.Shots[0].TrackId;
+            Frame(2);
+            Frame(3);
+            Frame(4, Dot(101, 100, true));
+            Assert.That(_tracker.Shots.Length, Is.EqualTo(1));
+            Assert.That(_tracker.Shots[0].Id, Is.EqualTo(2));
+            Assert.That(_tracker.Shots[0].TrackId, Is.EqualTo(track));
+        }
+
+        [Test]
+        public void Process_DotMissedForOneFrame_IsNoNewShot()
+        {
+            Frame(0);
+            Frame(1, Dot(100, 100, true));
+            Frame(2);
+            Frame(3, Dot(101, 100, true, false));
+            Assert.That(_tracker.Shots.Length, Is.EqualTo(0));
+            Assert.That(_tracker.Dots.Length, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Process_TwoDotsThatSwapPlacesInTheList_KeepTheirTracks()
+        {
+            Frame(0);
+            Frame(1, Dot(100, 100, true), Dot(120, 100, true));
+            Assert.That(_tracker.Shots.Length, Is.EqualTo(2));
+            int left = _tracker.Shots[0].TrackId;
+            Frame(2, Dot(123, 101, true, false), Dot(99, 100, true, false));
+            Assert.That(_tracker.Shots.Length, Is.EqualTo(0));
+            foreach (TrackedDot dot in _tracker.Dots)
+                Assert.That(dot.TrackId == left, Is.EqualTo(dot.Dot.PositionPx.X < 110));
+        }
+
+        [Test]
+        public void Finish_WaitingDot_IsNotConfirmed()
+        {
+            Frame(0);
+            Frame(1, Dot(100, 100, false));
+            _tracker.Finish();
+            Assert.That(_tracker.Shots.Length, Is.EqualTo(0));
+            Assert.That(_tracker.Rejected.Length, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Process_MoreDotsThanRoom_NeitherFailsNorAllocates()
+        {
+            var crowd = new Detections(4000);
+            int index = 0;
+            Assert.That(Allocation.Of(() => Crowd(crowd, index++)), Is.EqualTo(0));
+        }
+
+        [Test]
+        public void Constructor_BadSetting_NamesIt()
+        {
+            ArgumentException? error = Assert.Throws<ArgumentException>(() => new ShotTracker(new ShotTrackerSettings { LinkRadiusPx = double.NaN }));
+            Assert.That(error!.Message, Does.Contain("LinkRadiusPx"));
+        }
+
+        private static Dot Dot(double x, double y, bool conclusive, bool onset = true) =>
+            new Dot { PositionPx = new Vector2D(x, y), IsConclusive = conclusive, IsOnset = onset };
+
+        private void Begin(int index)
+        {
+            _detections.Begin(index, index * 33333L);
+            _detections.ImageWidthPx = 640;
+        }
+
+        private void Frame(int index, params Dot[] dots)
+        {
+            Begin(index);
+            foreach (Dot dot in dots)
+                _detections.Add(dot);
+            _tracker.Process(_detections);
+        }
+
+        private void Crowd(Detections crowd, int index)
+        {
+            crowd.Begin(index, index * 33333L);
+            crowd.ImageWidthPx = 640;
+            for (int i = 0; i < 4000; i++)
+                crowd.Add(Dot(i % 63 * 10, i / 63 * 10, i % 2 == 0));
+            _tracker.Process(crowd);
+        }
+    }
+}
