@@ -1,0 +1,78 @@
+using System;
+using System.Collections.Generic;
+using LaserTracking.Capture;
+using LaserTracking.Imaging;
+
+namespace LaserTracking.Unity
+{
+    /// <summary>A dim noisy picture, 30 frames a second, in which green dots flash at given frames.</summary>
+    internal sealed class StubSource : IFrameSource
+    {
+        public const int Width = 640;
+        public const int Height = 480;
+        public const long FrameIntervalUs = 33333;
+
+        private static readonly byte[] Noise = MakeNoise();
+        private readonly int _frames;
+        private readonly long _startUs;
+        private readonly (int Frame, int X, int Y)[] _flashes;
+        private int _next;
+
+        public StubSource(int frames, long startUs, params (int Frame, int X, int Y)[] flashes)
+        {
+            _frames = frames;
+            _startUs = startUs;
+            _flashes = flashes;
+        }
+
+        public FrameSourceInfo Info { get; } = new FrameSourceInfo("stub", Width, Height, 30, null);
+
+        public IReadOnlyList<FrameProblem> Problems { get; } = new List<FrameProblem>();
+
+        public bool IsDisposed { get; private set; }
+
+        public bool TryRead(Frame frame)
+        {
+            if (_next >= _frames)
+                return false;
+            long timeUs = _startUs + _next * FrameIntervalUs;
+            frame.Begin(_next, timeUs);
+            frame.Color.Reset(PixelFormat.Bgra32, Width, Height, timeUs);
+            Span<byte> pixels = frame.Color.Bytes;
+            // The same noise from another place in every frame.
+            new ReadOnlySpan<byte>(Noise, _next * 997 % 65536, pixels.Length).CopyTo(pixels);
+            foreach ((int first, int x, int y) in _flashes)
+            {
+                if (_next >= first && _next < first + 2)
+                    Draw(pixels, x, y);
+            }
+
+            _next++;
+            return true;
+        }
+
+        public void Dispose() => IsDisposed = true;
+
+        private static byte[] MakeNoise()
+        {
+            var random = new Random(1);
+            var noise = new byte[Width * Height * 4 + 65536];
+            for (int i = 0; i < noise.Length; i++)
+                noise[i] = (byte)(30 + random.Next(4));
+            return noise;
+        }
+
+        private static void Draw(Span<byte> pixels, int centerX, int centerY)
+        {
+            for (int y = centerY - 12; y <= centerY + 12; y++)
+            for (int x = centerX - 12; x <= centerX + 12; x++)
+            {
+                double light = 900 * Math.Exp(-((x - centerX) * (x - centerX) + (y - centerY) * (y - centerY)) / 12.0);
+                int at = (y * Width + x) * 4;
+                pixels[at] = (byte)Math.Min(255, pixels[at] + light * 0.3);
+                pixels[at + 1] = (byte)Math.Min(255, pixels[at + 1] + light);
+                pixels[at + 2] = (byte)Math.Min(255, pixels[at + 2] + light * 0.25);
+            }
+        }
+    }
+}

@@ -1,0 +1,17 @@
+using System;
+using LaserTracking.Capture;
+
+namespace LaserTracking.Unity
+{
+    /// <summary>Gives the range whatever source a test has made.</summary>
+    internal sealed class StubSourceAsset : FrameSourceAsset
+    {
+        public Func<IFrameSource> Create { get; set; } = () => throw new InputException("stub", "no source", "set one");
+
+        public double Latency { get; set; }
+
+        public override double LatencyS => Latency;
+
+        public override IFrameSource CreateSource() => Create();
+    }
+}
