@@ -110,8 +110,9 @@ namespace LaserTracking.Hands
             foreach (int cell in cells)
             {
                 float z = _grid.Z[cell];
-                double x = _grid.RayX[cell % _grid.Width] * z;
-                if (z < _torsos.MedianZ(x) - forward)
+                int row = cell / _grid.Width;
+                double x = _grid.RayX[cell - row * _grid.Width] * z;
+                if (z < _torsos.BodyZ(x, _grid.RayY[row] * z) - forward)
                     _level[cell] = level;
                 else
                     _torsos.AddTorso(x, z);

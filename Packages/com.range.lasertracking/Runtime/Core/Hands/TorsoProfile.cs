@@ -10,19 +10,29 @@ namespace LaserTracking.Hands
     {
         private const double BinMm = 50;
         private const int ColumnBins = 160;
-        private const int DepthBins = 160;
+        private const int DepthBins = 240;
+
+        private const double SlackMm = 1500;
+        private const double MinHeightMm = 400;
+
+        /// <summary>A camera turned up or down by 35°.</summary>
+        private const double MaxSlope = 0.7;
 
         private readonly double _depthBinMm;
         private readonly int _reach;
         private readonly int[] _histogram = new int[ColumnBins * DepthBins];
         private readonly int[] _window = new int[DepthBins];
-        private readonly float[] _medianZ = new float[ColumnBins];
+        private readonly float[] _median = new float[ColumnBins];
+        private readonly double[] _columnWeight = new double[ColumnBins];
+        private readonly double[] _columnY = new double[ColumnBins];
+        private readonly double[] _columnZ = new double[ColumnBins];
         private readonly double[] _weight = new double[ColumnBins];
         private readonly double[] _weightedZ = new double[ColumnBins];
+        private double _slope;
 
         public TorsoProfile(DepthHandSettings settings)
         {
-            _depthBinMm = settings.FarMm / (DepthBins - 1);
+            _depthBinMm = (settings.FarMm + 2 * SlackMm) / (DepthBins - 1);
             _reach = Math.Max(1, (int)Math.Round(settings.TorsoHalfWidthMm / BinMm));
         }
 
@@ -33,26 +43,66 @@ namespace LaserTracking.Hands
             Array.Clear(_weightedZ, 0, _weightedZ.Length);
         }
 
-        /// <summary>Measures one surface, for <see cref="MedianZ"/>.</summary>
+        /// <summary>Measures one surface, for <see cref="BodyZ"/>.</summary>
         public void Build(DepthGrid grid, ReadOnlySpan<int> cells)
         {
+            MeasureSlope(grid, cells);
             int low = ColumnBins, high = -1;
             Array.Clear(_histogram, 0, _histogram.Length);
             foreach (int cell in cells)
             {
                 float z = grid.Z[cell];
-                int column = ColumnOf(grid.RayX[cell % grid.Width] * z);
+                int row = cell / grid.Width, column = ColumnOf(grid.RayX[cell - row * grid.Width] * z);
                 low = Math.Min(low, column);
                 high = Math.Max(high, column);
-                _histogram[column * DepthBins + (int)(z / _depthBinMm)] += 1 + (int)(z * z / 65536);
+                int depth = (int)((z - _slope * grid.RayY[row] * z + SlackMm) / _depthBinMm);
+                _histogram[column * DepthBins + Math.Max(0, Math.Min(DepthBins - 1, depth))] += 1 + (int)(z * z / 65536);
             }
 
             for (int column = low; column <= high; column++)
-                _medianZ[column] = (float)((MedianBin(column, low, high) + 0.5) * _depthBinMm);
+                _median[column] = (float)((MedianBin(column, low, high) + 0.5) * _depthBinMm - SlackMm);
         }
 
-        /// <summary>Distance of what stands at x in the surface measured last.</summary>
-        public float MedianZ(double xMm) => _medianZ[ColumnOf(xMm)];
+        /// <summary>Distance at which the body itself is expected at this place of the surface measured last.</summary>
+        public double BodyZ(double xMm, double yMm) => _median[ColumnOf(xMm)] + _slope * yMm;
+
+        /// <summary>
+        /// How z grows downwards on a standing body: the camera is seldom level. Least squares within the columns of space, so that
+        /// several people at several distances do not look like a slope.
+        /// </summary>
+        private void MeasureSlope(DepthGrid grid, ReadOnlySpan<int> cells)
+        {
+            Array.Clear(_columnWeight, 0, ColumnBins);
+            Array.Clear(_columnY, 0, ColumnBins);
+            Array.Clear(_columnZ, 0, ColumnBins);
+            double yy = 0, yz = 0;
+            foreach (int cell in cells)
+            {
+                double z = grid.Z[cell], w = z * z;
+                int row = cell / grid.Width, column = ColumnOf(grid.RayX[cell - row * grid.Width] * z);
+                double y = grid.RayY[row] * z;
+                _columnWeight[column] += w;
+                _columnY[column] += w * y;
+                _columnZ[column] += w * z;
+                yy += w * y * y;
+                yz += w * y * z;
+            }
+
+            double total = 0;
+            for (int column = 0; column < ColumnBins; column++)
+            {
+                double w = _columnWeight[column];
+                if (!(w > 0))
+                    continue;
+                total += w;
+                yy -= _columnY[column] * _columnY[column] / w;
+                yz -= _columnY[column] * _columnZ[column] / w;
+            }
+
+            // Of a surface that is not high there is no telling.
+            bool isHigh = yy > total * MinHeightMm * MinHeightMm / 12;
+            _slope = isHigh ? Math.Max(-MaxSlope, Math.Min(MaxSlope, yz / yy)) : 0;
+        }
 
         /// <summary>Counts a cell as part of a torso.</summary>
         public void AddTorso(double xMm, float z)
