@@ -44,7 +44,7 @@ internal sealed class UnityFields
         try
         {
             var stream = new YamlStream();
-            stream.Load(new StringReader(string.Join('\n', document.Body)));
+            stream.Load(new ShallowYamlParser(new StringReader(string.Join('\n', document.Body))));
             if (stream.Documents.Count == 1 && stream.Documents[0].RootNode is YamlMappingNode { Children.Count: 1 } root
                 && root.Children[0].Value is YamlMappingNode fields)
                 return new UnityFields(document.File, label, fields);
