@@ -4,7 +4,6 @@ using LaserTracking.Capture;
 using LaserTracking.Capture.AzureKinect;
 using LaserTracking.Host.Recordings;
 using LaserTracking.Host.Sources;
-using LaserTracking.Imaging;
 
 namespace LaserTracking.Host.Sessions
 {
@@ -20,6 +19,6 @@ namespace LaserTracking.Host.Sessions
             FrameSources.Open(path, recording => Open(recording, KinectStreams.Depth));
 
         private static KinectRecordingSource Open(string path, KinectStreams streams) =>
-            new(KinectRecording.Open(path), streams, new JpegDecoder().TryDecode);
+            new(KinectRecording.Open(path), streams);
     }
 }
