@@ -6,20 +6,20 @@ namespace LaserTracking.Simulation
     /// <summary>Scenes that need no files, for tests and for the demo.</summary>
     public static class SimulationScenes
     {
-        /// <summary>Eight targets of four kinds 5 to 11 m behind a screen of 3.2 × 1.8 m, four of them moving; trainee's eye 2.4 m before it.</summary>
+        /// <summary>Eight targets of four kinds 3 to 7 m behind a screen of 3.2 × 1.8 m, four of them moving; trainee's eye 2.4 m before it.</summary>
         public static SceneModel Default()
         {
             TargetDefinition popper = Popper(), rings = Rings(), silhouette = Silhouette(), noShoot = NoShoot();
             var objects = new[]
             {
-                Target("Popper 1", popper, -3.3, 0.5, 7, MotionPathNone()),
-                Target("Popper 2", popper, -2.2, 0.5, 8, MotionPathNone()),
-                Target("Popper 3", popper, 2.5, 0.5, 9, new MotionPath(MotionKind.PingPong, new Vector3D(1.6, 0, 0), 5, 0)),
-                Target("Paper 1", rings, -1.15, 1.65, 6.5, MotionPathNone()),
-                Target("Paper 2", rings, 2.1, 2.05, 8.5, new MotionPath(MotionKind.Circle, new Vector3D(0.45, 0.3, 0), 7, 1)),
-                Target("Silhouette 1", silhouette, 0.35, 1.25, 6, MotionPathNone()),
-                Target("Silhouette 2", silhouette, -1.2, 1.35, 9.5, new MotionPath(MotionKind.Sine, new Vector3D(1.5, 0, 0), 8, 0)),
-                Target("No-shoot 1", noShoot, 1.25, 1.25, 7, new MotionPath(MotionKind.Sine, new Vector3D(0.35, 0, 0), 6, 2)),
+                Target("Popper 1", popper, -2.55, 0.5, 3.3, MotionPathNone()),
+                Target("Popper 2", popper, -1.75, 0.5, 4.0, MotionPathNone()),
+                Target("Popper 3", popper, 1.35, 0.5, 4.4, new MotionPath(MotionKind.PingPong, new Vector3D(1.3, 0, 0), 5, 0)),
+                Target("Paper 1", rings, -0.75, 1.6, 3.0, MotionPathNone()),
+                Target("Paper 2", rings, 1.7, 2.45, 4.2, new MotionPath(MotionKind.Circle, new Vector3D(0.4, 0.25, 0), 7, 1)),
+                Target("Silhouette 1", silhouette, 0.25, 1.25, 2.8, MotionPathNone()),
+                Target("Silhouette 2", silhouette, 3, 1.4, 6.5, new MotionPath(MotionKind.Sine, new Vector3D(1, 0, 0), 8, 0)),
+                Target("No-shoot 1", noShoot, 1.0, 1.25, 3.5, new MotionPath(MotionKind.Sine, new Vector3D(0.3, 0, 0), 6, 2)),
             };
             // Unity's axes: the screen's lower edge hangs 0.6 m over the ground, z into the picture.
             return new SceneModel("Default range", new Pose(new Vector3D(0, 1.5, 0), Rotation3D.Identity), new Vector2D(3.2, 1.8),

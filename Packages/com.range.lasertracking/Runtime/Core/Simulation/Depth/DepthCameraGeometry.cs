@@ -16,7 +16,7 @@ namespace LaserTracking.Simulation
             FarMm = settings.Binned ? 5460 : 3860;
             double floor = screenSizeM.Y + room.FloorBelowScreenM;
             Vector3D position = settings.PositionM ?? new Vector3D(screenSizeM.X / 2, screenSizeM.Y + 0.06, -0.25);
-            Vector3D lookAt = settings.LookAtM ?? new Vector3D(screenSizeM.X / 2, floor - 1.2, -2);
+            Vector3D lookAt = settings.LookAtM ?? new Vector3D(screenSizeM.X / 2, floor - 1.3, -1.7);
             Pose pose = LookAt.Pose(Axes.MetresToMillimetres(position), Axes.MetresToMillimetres(lookAt), 0);
             var intrinsics = new PinholeCamera(TypicalFocalPx / divisor, TypicalFocalPx / divisor, (Width - 1) / 2.0, (Height - 1) / 2.0, Width, Height);
             HandCamera = new HandCamera(intrinsics, pose);

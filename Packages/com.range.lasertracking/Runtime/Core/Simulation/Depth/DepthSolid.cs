@@ -66,14 +66,17 @@ namespace LaserTracking.Simulation
             };
         }
 
+        // Written out: the library's sums in another order with and without vector hardware.
+        private static float Dot(Vector3 a, Vector3 b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+
         private static Vector3 Single(Vector3D v) => new Vector3((float)v.X, (float)v.Y, (float)v.Z);
 
         // After I. Quilez's capsule intersection, for a ray that is not of unit length.
         private readonly float CapsuleDepth(Vector3 ray)
         {
             Vector3 ba = _b - _a, oa = -_a;
-            float baba = Vector3.Dot(ba, ba), bard = Vector3.Dot(ba, ray), baoa = Vector3.Dot(ba, oa);
-            float rdoa = Vector3.Dot(ray, oa), oaoa = Vector3.Dot(oa, oa), rr = Vector3.Dot(ray, ray), r2 = _radius * _radius;
+            float baba = Dot(ba, ba), bard = Dot(ba, ray), baoa = Dot(ba, oa);
+            float rdoa = Dot(ray, oa), oaoa = Dot(oa, oa), rr = Dot(ray, ray), r2 = _radius * _radius;
             float a = baba * rr - bard * bard, b = baba * rdoa - baoa * bard, c = baba * oaoa - baoa * baoa - r2 * baba;
             float h = b * b - a * c;
             if (h < 0)
@@ -82,17 +85,17 @@ namespace LaserTracking.Simulation
             if (along > 0 && along < baba)
                 return t;
             Vector3 oc = along <= 0 ? oa : -_b;
-            b = Vector3.Dot(ray, oc);
-            c = Vector3.Dot(oc, oc) - r2;
+            b = Dot(ray, oc);
+            c = Dot(oc, oc) - r2;
             h = b * b - rr * c;
             return h > 0 ? (-b - (float)Math.Sqrt(h)) / rr : 0;
         }
 
         private readonly float EllipsoidDepth(Vector3 ray)
         {
-            var o = new Vector3(-Vector3.Dot(_axisX, _a), -Vector3.Dot(_axisY, _a), -Vector3.Dot(_axisZ, _a));
-            var d = new Vector3(Vector3.Dot(_axisX, ray), Vector3.Dot(_axisY, ray), Vector3.Dot(_axisZ, ray));
-            float a = Vector3.Dot(d, d), b = Vector3.Dot(o, d), c = Vector3.Dot(o, o) - 1, h = b * b - a * c;
+            var o = new Vector3(-Dot(_axisX, _a), -Dot(_axisY, _a), -Dot(_axisZ, _a));
+            var d = new Vector3(Dot(_axisX, ray), Dot(_axisY, ray), Dot(_axisZ, ray));
+            float a = Dot(d, d), b = Dot(o, d), c = Dot(o, o) - 1, h = b * b - a * c;
             return h > 0 ? (-b - (float)Math.Sqrt(h)) / a : 0;
         }
 
@@ -104,7 +107,7 @@ namespace LaserTracking.Simulation
 
         private readonly bool Slab(Vector3 axis, Vector3 ray, ref float near, ref float far)
         {
-            float o = -Vector3.Dot(axis, _a), d = Vector3.Dot(axis, ray);
+            float o = -Dot(axis, _a), d = Dot(axis, ray);
             if (Math.Abs(d) < 1e-12f)
                 return Math.Abs(o) <= 1;
             float t1 = (-1 - o) / d, t2 = (1 - o) / d;

@@ -52,7 +52,7 @@ namespace LaserTracking.Simulation
         /// <summary>Optical centre in screen space, m; null: in the middle, at the screen's lower edge, 0.25 m before it.</summary>
         public Vector3D? PositionM { get; set; }
 
-        /// <summary>A point on the optical axis in screen space, m; null: chest height, 2 m before the screen.</summary>
+        /// <summary>A point on the optical axis in screen space, m; null: 1.3 m over the floor, 1.7 m before the screen.</summary>
         public Vector3D? LookAtM { get; set; }
 
         internal void Visit(ScenarioVisitor v)

@@ -9,7 +9,7 @@ namespace LaserTracking.Simulation
         public LaserColor Color { get; set; } = LaserColor.Green;
 
         /// <summary>Milliwatts while the light is on.</summary>
-        public double PowerMw { get; set; } = 1;
+        public double PowerMw { get; set; } = 2;
 
         /// <summary>Radius on the screen at which the light has fallen to 1/e², mm.</summary>
         public double DotRadiusMm { get; set; } = 3;
