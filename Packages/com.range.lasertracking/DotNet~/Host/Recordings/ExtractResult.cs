@@ -1,3 +1,5 @@
+using System;
+
 namespace LaserTracking.Host.Recordings
 {
     /// <summary>What `extract` wrote.</summary>
@@ -5,5 +7,10 @@ namespace LaserTracking.Host.Recordings
     /// <param name="Payloads">Number of lines in frames.jsonl.</param>
     /// <param name="Bytes">Sum of the payload sizes.</param>
     /// <param name="WasCancelled">The work was interrupted; what is listed in frames.jsonl is whole.</param>
-    internal readonly record struct ExtractResult(long Captures, long Payloads, long Bytes, bool WasCancelled);
+    internal readonly record struct ExtractResult(long Captures, long Payloads, long Bytes, bool WasCancelled)
+    {
+        /// <summary>One line for people.</summary>
+        public override string ToString() =>
+            FormattableString.Invariant($"{Captures} captures, {Payloads} payloads, {Bytes} bytes{(WasCancelled ? ", interrupted" : "")}");
+    }
 }
