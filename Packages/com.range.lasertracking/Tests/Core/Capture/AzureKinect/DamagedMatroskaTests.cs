@@ -62,6 +62,40 @@ namespace LaserTracking.Capture.AzureKinect
             AssertAll(muxer.ToArray(), Clusters + 1, 1);
         }
 
+        [TestCase(EbmlBuilder.SizeField.Unknown)]
+        [TestCase(EbmlBuilder.SizeField.Huge)]
+        public void KinectRecording_DamageInAClusterWithoutUsableSize_LosesNoLaterCluster(EbmlBuilder.SizeField clusterSize)
+        {
+            RecordingMuxer muxer = Muxer();
+            muxer.WritesCues = false;
+            muxer.ClusterSize = clusterSize;
+            muxer.AddCluster(1000000, RecordingMuxer.Picture(RecordingMuxer.Color, 0), new byte[] { 0, 0, 0, 0, 0, 0 });
+            muxer.AddCluster(1033333, RecordingMuxer.Picture(RecordingMuxer.Color, 0));
+            KinectRecording recording = Open(muxer.ToArray());
+            Assert.That(Count(recording), Is.EqualTo(Clusters + 2));
+            Assert.That(recording.IsCut, Is.False);
+            Assert.That(recording.LengthUs, Is.EqualTo(1033333));
+        }
+
+        [Test]
+        public void KinectRecording_ClusterWithDestroyedHead_LosesOnlyThatCluster()
+        {
+            RecordingMuxer muxer = Muxer();
+            muxer.WritesCues = false;
+            byte[] bytes = muxer.ToArray();
+            int first = bytes.AsSpan().IndexOf(new byte[] { 0x1F, 0x43, 0xB6, 0x75 });
+            int second = first + 4 + bytes.AsSpan(first + 4).IndexOf(new byte[] { 0x1F, 0x43, 0xB6, 0x75 });
+            bytes.AsSpan(second, 12).Clear();
+            KinectRecording recording = Open(bytes);
+            Assert.That(Count(recording), Is.EqualTo(Clusters - 1));
+            var capture = new KinectCapture();
+            recording.Seek(33333, KinectSeekOrigin.Begin);
+            Assert.That(recording.TryReadNext(capture), Is.True);
+            Assert.That(capture.Color.DeviceTimeUs, Is.EqualTo(2 * 33333));
+            Assert.That(recording.TryReadPrevious(capture), Is.True);
+            Assert.That(capture.Color.DeviceTimeUs, Is.Zero);
+        }
+
         [Test]
         public void KinectRecording_CutAnywhere_KeepsEveryWholeCapture()
         {
