@@ -99,6 +99,19 @@ public sealed class ImageFolderSourceTests
     }
 
     [Test]
+    public void TryRead_RawPixelsOfAFrameList_AreTakenAsTheyAre()
+    {
+        File.WriteAllBytes(_folder.File("a.nv12"), Enumerable.Repeat((byte)77, 48 * 32).Concat(Enumerable.Repeat((byte)128, 48 * 16)).ToArray());
+        File.WriteAllBytes(_folder.File("b.nv12"), new byte[100]);
+        const string line = """{"capture":0,"track":"COLOR","time_us":5,"format":"NV12","width":48,"height":32,"stride":48,"size":2304,"file":"a.nv12"}""";
+        File.WriteAllLines(_folder.File("frames.jsonl"), [line, line.Replace(":5,", ":6,").Replace("a.nv12", "b.nv12")]);
+        List<int> brightness = Read(out IReadOnlyList<FrameProblem> problems, out List<long> times);
+        Assert.That(brightness, Is.EqualTo(new[] { 77, -1 }));
+        Assert.That(times, Is.EqualTo(new[] { 5L, 6 }));
+        Assert.That(problems.Single().What, Does.StartWith("b.nv12: has 100 bytes"));
+    }
+
+    [Test]
     public void OfImageFolder_Pictures_AreCounted()
     {
         for (int number = 0; number < 3; number++)

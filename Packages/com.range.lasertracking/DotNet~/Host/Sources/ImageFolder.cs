@@ -3,8 +3,8 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using System.Text.Json;
 using LaserTracking.Capture;
+using LaserTracking.Imaging;
 
 namespace LaserTracking.Host.Sources;
 
@@ -106,20 +106,20 @@ internal sealed class ImageFolder
             lineNumber++;
             if (line.Length == 0)
                 continue;
-            if (!TryReadLine(line, out bool isColor, out long timeUs, out string? file, out long? capture))
+            if (!FrameListLine.TryParse(line, out FrameListLine parsed))
             {
                 Report($"line {lineNumber} of {FrameList} is damaged and left out");
                 continue;
             }
 
-            if (!isColor)
+            if (!parsed.IsColor)
                 continue;
-            string? path = file != null ? System.IO.Path.Combine(Path, System.IO.Path.GetFileName(file))
-                : capture is long number && byNumber.Value.TryGetValue(number, out string? found) ? found : null;
-            if (path == null || !IsImage(path) || !File.Exists(path))
+            string? path = parsed.File != null ? System.IO.Path.Combine(Path, System.IO.Path.GetFileName(parsed.File))
+                : parsed.Capture is long number && byNumber.Value.TryGetValue(number, out string? found) ? found : null;
+            if (path == null || !(parsed.RawFormat != PixelFormat.None || IsImage(path)) || !File.Exists(path))
                 Report($"line {lineNumber} of {FrameList} names no picture that is there; it is left out");
             else
-                _entries.Add(new ImageFolderEntry(path, capture, timeUs));
+                _entries.Add(new ImageFolderEntry(path, parsed.Capture, parsed.TimeUs, parsed.RawFormat, parsed.Width, parsed.Height));
         }
 
         // Files that have nothing to do with the list count as a plain folder.
@@ -137,35 +137,6 @@ internal sealed class ImageFolder
         }
 
         return files;
-    }
-
-    private static bool TryReadLine(string line, out bool isColor, out long timeUs, out string? file, out long? capture)
-    {
-        isColor = false;
-        timeUs = 0;
-        file = null;
-        capture = null;
-        try
-        {
-            using JsonDocument document = JsonDocument.Parse(line);
-            JsonElement root = document.RootElement;
-            if (root.ValueKind != JsonValueKind.Object || !root.TryGetProperty("track", out JsonElement track)
-                || !root.TryGetProperty("time_us", out JsonElement time) || !time.TryGetInt64(out timeUs))
-            {
-                return false;
-            }
-
-            isColor = track.ValueKind == JsonValueKind.String && track.GetString() == "COLOR";
-            if (root.TryGetProperty("file", out JsonElement name) && name.ValueKind == JsonValueKind.String)
-                file = name.GetString();
-            if (root.TryGetProperty("capture", out JsonElement index) && index.ValueKind == JsonValueKind.Number && index.TryGetInt64(out long number))
-                capture = number;
-            return true;
-        }
-        catch (Exception exception) when (exception is JsonException or InvalidOperationException)
-        {
-            return false;
-        }
     }
 
     private void Report(string what, int index = -1)

@@ -61,7 +61,9 @@ public sealed class ImageFolderSource : IFrameSource
         int index = _next++;
         ImageFolderEntry entry = _folder.Entries[index];
         frame.Begin(index, entry.TimeUs);
-        if (entry.IsJpeg)
+        if (entry.IsRaw)
+            ReadRaw(entry, index, frame.Color);
+        else if (entry.IsJpeg)
             ReadJpeg(entry, index, frame.Color);
         else
             ReadByFfmpeg(index, frame.Color);
@@ -73,6 +75,35 @@ public sealed class ImageFolderSource : IFrameSource
         _next = int.MaxValue;
         _stream?.Dispose();
         _stream = null;
+    }
+
+    private void ReadRaw(ImageFolderEntry entry, int index, Image image)
+    {
+        if ((entry.RawWidth, entry.RawHeight) != (Info.Width, Info.Height))
+        {
+            Report(SizeProblem(entry, entry.RawWidth, entry.RawHeight), index);
+            return;
+        }
+
+        string problem;
+        try
+        {
+            ReadOnlySpan<byte> bytes = ReadFile(entry.Path);
+            if (bytes.Length == Image.TightSize(entry.RawFormat, entry.RawWidth, entry.RawHeight))
+            {
+                image.Reset(entry.RawFormat, entry.RawWidth, entry.RawHeight, entry.TimeUs);
+                bytes.CopyTo(image.Bytes);
+                return;
+            }
+
+            problem = $"has {bytes.Length} bytes, which is not {entry.RawWidth}×{entry.RawHeight} of {entry.RawFormat}";
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            problem = exception.Message.ReplaceLineEndings(" ");
+        }
+
+        Report(entry.Name + ": " + problem + "; the picture is left out", index);
     }
 
     private void ReadJpeg(ImageFolderEntry entry, int index, Image image)
@@ -166,7 +197,7 @@ public sealed class ImageFolderSource : IFrameSource
             list.Append(CultureInfo.InvariantCulture, $"file '{quoted}'\nduration 1\n");
             end++;
         }
-        while (!isAlone && end < Count && _folder.Entries[end].Extension == extension);
+        while (!isAlone && end < Count && _folder.Entries[end].Extension == extension && !_folder.Entries[end].IsRaw);
 
         _streamStart = index;
         _streamEnd = end;
@@ -182,12 +213,23 @@ public sealed class ImageFolderSource : IFrameSource
         using var image = new Image();
         foreach (ImageFolderEntry entry in _folder.Entries.Take(20))
         {
+            if (entry.IsRaw)
+                return (entry.RawWidth, entry.RawHeight);
             if (ImageFileHeader.TryReadSize(entry.Path, out int width, out int height))
                 return (width, height);
             if (!entry.IsJpeg)
                 continue;
-            if (_jpeg.TryDecode(ReadFile(entry.Path), image, 0, out string problem))
-                return (image.Width, image.Height);
+            string problem;
+            try
+            {
+                if (_jpeg.TryDecode(ReadFile(entry.Path), image, 0, out problem))
+                    return (image.Width, image.Height);
+            }
+            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+            {
+                continue;
+            }
+
             if (problem.Contains("not supported", StringComparison.Ordinal))
             {
                 VideoProbe probe = VideoProbe.Open(entry.Path);

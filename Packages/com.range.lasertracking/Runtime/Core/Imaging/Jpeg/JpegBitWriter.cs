@@ -42,23 +42,33 @@ namespace LaserTracking.Imaging
         /// <summary>The lowest <paramref name="count"/> bits, at most 32, the highest of them first.</summary>
         public void Bits(int value, int count)
         {
+            if (_count + count > 64)
+                Drain();
             _bits = _bits << count | ((uint)value & ((1UL << count) - 1));
             _count += count;
+        }
+
+        /// <summary>Fills the last byte with ones and ends the entropy-coded run.</summary>
+        public void Flush()
+        {
+            Drain();
+            if (_count > 0)
+                Bits(0x7F, 8 - _count);
+            Drain();
+        }
+
+        private void Drain()
+        {
+            if (Length + 16 > _bytes.Length)
+                Array.Resize(ref _bytes, _bytes.Length * 2);
             while (_count >= 8)
             {
                 _count -= 8;
-                int next = (int)(_bits >> _count) & 0xFF;
-                Byte(next);
+                byte next = (byte)(_bits >> _count);
+                _bytes[Length++] = next;
                 if (next == 0xFF)
-                    Byte(0);
+                    _bytes[Length++] = 0;
             }
-        }
-
-        /// <summary>Fills the last byte with ones.</summary>
-        public void Flush()
-        {
-            if (_count > 0)
-                Bits(0x7F, 8 - _count);
         }
     }
 }

@@ -9,6 +9,8 @@ namespace LaserTracking.Imaging
         private readonly byte[] _dcLengths = new byte[256];
         private readonly ushort[] _acCodes = new ushort[256];
         private readonly byte[] _acLengths = new byte[256];
+        private readonly int[] _half = new int[64];
+        private readonly long[] _reciprocal = new long[64];
 
         /// <param name="baseQuantisation">Table of T.81 annex K, row by row.</param>
         /// <param name="quality">1…100, scaled as the Independent JPEG Group's library does.</param>
@@ -18,7 +20,15 @@ namespace LaserTracking.Imaging
         {
             int scale = quality < 50 ? 5000 / quality : 200 - quality * 2;
             for (int i = 0; i < 64; i++)
+            {
                 Quantisation[i] = (byte)Math.Min(255, Math.Max(1, (baseQuantisation[i] * scale + 50) / 100));
+
+                // The transform's factor of 8 is taken out here. Rounded up, this gives exact quotients below 2^20.
+                int divisor = Quantisation[i] * 8;
+                _half[i] = divisor / 2;
+                _reciprocal[i] = ((1L << 32) + divisor - 1) / divisor;
+            }
+
             AssignCodes(dc, _dcCodes, _dcLengths);
             AssignCodes(ac, _acCodes, _acLengths);
         }
@@ -32,14 +42,14 @@ namespace LaserTracking.Imaging
         public void Encode(int* block, ref int prediction, JpegBitWriter output)
         {
             JpegForwardDct.Transform(block);
-            int dc = Quantise(block[0], Quantisation[0] * 8);
+            int dc = Quantise(block[0], 0);
             WriteCoefficient(dc - prediction, 0, _dcCodes, _dcLengths, output);
             prediction = dc;
             int run = 0;
             for (int k = 1; k < 64; k++)
             {
                 int position = JpegTables.ZigZag[k];
-                int value = Quantise(block[position], Quantisation[position] * 8);
+                int value = Quantise(block[position], position);
                 if (value == 0)
                 {
                     run++;
@@ -56,8 +66,11 @@ namespace LaserTracking.Imaging
                 output.Bits(_acCodes[0], _acLengths[0]);
         }
 
-        private static int Quantise(int value, int divisor) =>
-            value < 0 ? -((divisor / 2 - value) / divisor) : (divisor / 2 + value) / divisor;
+        private int Quantise(int value, int position)
+        {
+            int magnitude = (int)((Math.Abs(value) + _half[position]) * _reciprocal[position] >> 32);
+            return value < 0 ? -magnitude : magnitude;
+        }
 
         private static void WriteCoefficient(int value, int run, ushort[] codes, byte[] lengths, JpegBitWriter output)
         {
@@ -65,8 +78,8 @@ namespace LaserTracking.Imaging
             for (int magnitude = Math.Abs(value); magnitude > 0; magnitude >>= 1)
                 size++;
             int symbol = run << 4 | size;
-            output.Bits(codes[symbol], lengths[symbol]);
-            output.Bits(value < 0 ? value - 1 : value, size);
+            int bits = (value < 0 ? value - 1 : value) & ((1 << size) - 1);
+            output.Bits(codes[symbol] << size | bits, lengths[symbol] + size);
         }
 
         private static void AssignCodes(byte[] definition, ushort[] codes, byte[] lengths)

@@ -11,6 +11,20 @@ namespace LaserTracking.Imaging
         /// <param name="block">64 samples, row by row.</param>
         public static void ReadLuma(Image source, int left, int top, int* block)
         {
+            bool isPacked = source.Format == PixelFormat.Yuy2;
+            if (source.Format != PixelFormat.Bgra32 && left + 8 <= source.Width && top + 8 <= source.Height)
+            {
+                int step = isPacked ? 2 : 1;
+                byte* inside = source.Pixels + (long)top * source.Stride + left * step;
+                for (int y = 0; y < 8; y++, inside += source.Stride)
+                {
+                    for (int x = 0; x < 8; x++)
+                        block[y * 8 + x] = inside[x * step] - 128;
+                }
+
+                return;
+            }
+
             for (int y = 0; y < 8; y++)
             {
                 byte* row = source.Pixels + (long)Math.Min(top + y, source.Height - 1) * source.Stride;
@@ -21,7 +35,7 @@ namespace LaserTracking.Imaging
                     if (source.Format == PixelFormat.Bgra32)
                         sample = (19595 * row[4 * column + 2] + 38470 * row[4 * column + 1] + 7471 * row[4 * column] + 32768) >> 16;
                     else
-                        sample = source.Format == PixelFormat.Yuy2 ? row[2 * column] : row[column];
+                        sample = isPacked ? row[2 * column] : row[column];
                     block[y * 8 + x] = sample - 128;
                 }
             }
