@@ -21,7 +21,7 @@ namespace LaserTracking.Simulation
                 scenario.Shots.Add(new ShotSettings { TimeS = 0.05, PulseMs = 200, ScreenM = new Vector2D(0.5 + 0.43 * i, 1.5 - 0.21 * i) });
                 SimulatedRange range = Build(scenario, out byte[] with, out byte[] without, 3);
                 TrueDot dot = range.Truth.DotsOf(3)[0];
-                Light(with, without, dot.PositionPx, 14, out Vector2D centroid, out int peak);
+                Light(with, without, dot.PositionPx, 7, out Vector2D centroid, out int peak);
                 Assert.That(peak, Is.InRange(60, 254), "unsaturated");
                 Assert.That((centroid - dot.PositionPx).Length, Is.LessThan(0.1), "shot " + i);
                 Vector2D calibrated = range.Calibration.Screen.ToScreenM(dot.PositionPx);
@@ -37,7 +37,7 @@ namespace LaserTracking.Simulation
             scenario.Shots.Add(new ShotSettings { TimeS = 0.09, PulseMs = 40, ScreenM = new Vector2D(1.4, 0.8), SweepMPerS = new Vector2D(8, 3) });
             SimulatedRange range = Build(scenario, out byte[] with, out byte[] without, 3);
             TrueDot dot = range.Truth.DotsOf(3)[0];
-            Light(with, without, dot.PositionPx, 26, out Vector2D centroid, out int peak);
+            Light(with, without, dot.PositionPx, 18, out Vector2D centroid, out int peak);
             Assert.That(peak, Is.InRange(30, 254));
             Assert.That(dot.StreakPx.Length, Is.GreaterThan(8));
             Assert.That((centroid - dot.PositionPx).Length, Is.LessThan(0.1));
@@ -52,7 +52,7 @@ namespace LaserTracking.Simulation
             scenario.Shots.Add(new ShotSettings { TimeS = 0.05, PulseMs = 200, ScreenM = new Vector2D(1.6, 0.9) });
             SimulatedRange range = Build(scenario, out byte[] with, out byte[] without, 3);
             TrueDot dot = range.Truth.DotsOf(3)[0];
-            Light(with, without, dot.PositionPx, 14, out _, out int peak);
+            Light(with, without, dot.PositionPx, 7, out _, out int peak);
             Assert.That(peak / 255.0 / dot.Peak, Is.InRange(0.8, 1.02));
         }
 
@@ -62,7 +62,7 @@ namespace LaserTracking.Simulation
         {
             SimulationScenario scenario = SimulationExamples.Small();
             scenario.Shooters[0].Laser.Color = color;
-            scenario.Shooters[0].Laser.PowerMw = 60;
+            scenario.Shooters[0].Laser.PowerMw = color == LaserColor.Red ? 140 : 60;
             scenario.Shots.Add(new ShotSettings { TimeS = 0.05, PulseMs = 200, ScreenM = new Vector2D(1.6, 0.9) });
             SimulatedRange range = Build(scenario, out byte[] with, out _, 3);
             Vector2D center = range.Truth.DotsOf(3)[0].PositionPx;
@@ -98,8 +98,8 @@ namespace LaserTracking.Simulation
             TrueShot shot = range.Truth.Shots[0];
             Assert.That(shot.FirstFrame, Is.EqualTo(2));
             Assert.That(shot.LastFrame, Is.EqualTo(3));
-            double first = Light(with2, without2, range.Truth.DotsOf(2)[0].PositionPx, 14, out _, out int peak2);
-            double second = Light(with3, without3, range.Truth.DotsOf(3)[0].PositionPx, 14, out _, out int peak3);
+            double first = Light(with2, without2, range.Truth.DotsOf(2)[0].PositionPx, 7, out _, out int peak2);
+            double second = Light(with3, without3, range.Truth.DotsOf(3)[0].PositionPx, 7, out _, out int peak3);
             Assert.That(Math.Max(peak2, peak3), Is.LessThan(255));
             Assert.That(first / (first + second), Is.EqualTo(0.4).Within(0.02));
             Assert.That(range.Truth.DotsOf(2)[0].LightUs, Is.EqualTo(2000).Within(2));
@@ -145,7 +145,7 @@ namespace LaserTracking.Simulation
             SimulatedRange range = Build(scenario, out byte[] with, out byte[] without, 8);
             TrueDot before = range.Truth.DotsOf(3)[0], after = range.Truth.DotsOf(8)[0];
             Assert.That((after.PositionPx - before.PositionPx - new Vector2D(3.25, -2.5)).Length, Is.LessThan(1e-9));
-            Light(with, without, after.PositionPx, 14, out Vector2D centroid, out _);
+            Light(with, without, after.PositionPx, 7, out Vector2D centroid, out _);
             Assert.That((centroid - after.PositionPx).Length, Is.LessThan(0.1));
             byte[] still = SimulationExamples.ColorFrame(Dark(scenario), 3);
             double moved = 0;

@@ -35,7 +35,7 @@ namespace LaserTracking.Simulation
         {
             SimulationScenario scenario = Small(durationS);
             scenario.ColorCamera.Gamma = 1;
-            scenario.ColorCamera.FullWellElectrons = 1e9;
+            scenario.ColorCamera.FullWellElectrons = 1e12;
             scenario.ColorCamera.ReadNoiseElectrons = 0;
             scenario.Shooters[0].Laser.SpeckleContrast = 0;
             scenario.Shooters[0].Laser.DotRadiusMm = 16;
@@ -62,8 +62,8 @@ namespace LaserTracking.Simulation
         public static double Light(byte[] with, byte[] without, int width, int height, int channel, Vector2D around, int reach, out Vector2D centroid)
         {
             double sum = 0, x0 = 0, y0 = 0;
-            for (int y = Math.Max(0, (int)around.Y - reach); y <= Math.Min(height - 1, (int)around.Y + reach); y++)
-            for (int x = Math.Max(0, (int)around.X - reach); x <= Math.Min(width - 1, (int)around.X + reach); x++)
+            for (int y = Math.Max(0, (int)Math.Round(around.Y) - reach); y <= Math.Min(height - 1, (int)Math.Round(around.Y) + reach); y++)
+            for (int x = Math.Max(0, (int)Math.Round(around.X) - reach); x <= Math.Min(width - 1, (int)Math.Round(around.X) + reach); x++)
             {
                 int offset = (y * width + x) * 4 + channel;
                 double rise = with[offset] - without[offset];

@@ -62,7 +62,7 @@ namespace LaserTracking.Simulation
             SimulationScenario scenario = SimulationExamples.Small(8);
             scenario.Projector.DelayMs = 0;
             scenario.Projector.RefreshHz = 1000;
-            string[] names = { "Popper 1", "Paper 1", "Silhouette 1", "No-shoot 1", "Paper 2", "Silhouette 2" };
+            string[] names = { "Popper 1", "Paper 1", "Silhouette 2", "No-shoot 1", "Paper 2", "Silhouette 1" };
             for (int i = 0; i < names.Length; i++)
                 scenario.Shots.Add(new ShotSettings { TimeS = 0.5 + i, Target = names[i] });
             var range = new SimulatedRange(scenario, SimulationScenes.Default());
@@ -82,9 +82,9 @@ namespace LaserTracking.Simulation
         [Test]
         public void SimulationTruth_DelayedPicture_ShowsWhereTheTargetWas()
         {
-            SimulationScenario scenario = SimulationExamples.Small(1);
+            SimulationScenario scenario = SimulationExamples.Small(3);
             scenario.Projector.DelayMs = 500;
-            scenario.Shots.Add(new ShotSettings { TimeS = 0.8, Target = "Popper 3", OffsetM = new Vector2D(0, 0.3) });
+            scenario.Shots.Add(new ShotSettings { TimeS = 2, Target = "Popper 3", OffsetM = new Vector2D(0, 0.3) });
             var range = new SimulatedRange(scenario, SimulationScenes.Default());
             Assert.That(range.Truth.Shots[0].ShownTarget, Is.EqualTo("Popper 3"));
             Assert.That(range.Truth.Shots[0].Target, Is.Empty, "by the photon's time the target has moved on by a quarter of a metre");

@@ -25,6 +25,7 @@ namespace LaserTracking.Simulation
         public void Update(Image picture, ReadOnlySpan<PixelRect> changed)
         {
             fixed (float* linear = _toLinear)
+            fixed (Vector4* light = _light)
             {
                 foreach (PixelRect rect in changed)
                 {
@@ -33,7 +34,7 @@ namespace LaserTracking.Simulation
                         byte* pixel = picture.Pixels + (long)y * picture.Stride + rect.Left * 4;
                         int index = (y + 1) * _stride + rect.Left + 1;
                         for (int x = rect.Left; x < rect.Right; x++, pixel += 4)
-                            _light[index++] = new Vector4(linear[pixel[0]], linear[pixel[1]], linear[pixel[2]], 0);
+                            light[index++] = new Vector4(linear[pixel[0]], linear[pixel[1]], linear[pixel[2]], 0);
                     }
                 }
             }
@@ -53,14 +54,14 @@ namespace LaserTracking.Simulation
         private void AddRow(in PlaneMap map, double y, double offsetX, int left, int right, float weight, Span<Vector4> row)
         {
             double u = map.B * y + map.C, v = map.E * y + map.F, w = map.H * y + map.I;
-            float widest = _width, highest = _height;
-            fixed (Vector4* light = _light)
+            float widest = _width + 1, highest = _height + 1;
+            fixed (Vector4* light = _light, target = row)
             {
                 for (int x = left; x < right; x++)
                 {
                     double px = x + offsetX, scale = 1 / (map.G * px + w);
                     float fu = (float)((map.A * px + u) * scale) + 1, fv = (float)((map.D * px + v) * scale) + 1;
-                    if (!(fu >= 0 && fv >= 0 && fu < widest + 1 && fv < highest + 1))
+                    if (!(fu >= 0 && fv >= 0 && fu < widest && fv < highest))
                         continue;
                     int iu = (int)fu, iv = (int)fv;
                     Vector4* p = light + iv * _stride + iu;
@@ -68,7 +69,7 @@ namespace LaserTracking.Simulation
                     fv -= iv;
                     Vector4 upper = p[0] + (p[1] - p[0]) * fu;
                     Vector4 lower = p[_stride] + (p[_stride + 1] - p[_stride]) * fu;
-                    row[x] += (upper + (lower - upper) * fv) * weight;
+                    target[x] += (upper + (lower - upper) * fv) * weight;
                 }
             }
         }

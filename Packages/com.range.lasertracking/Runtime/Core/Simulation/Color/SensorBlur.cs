@@ -3,8 +3,8 @@ using System.Numerics;
 
 namespace LaserTracking.Simulation
 {
-    /// <summary>Gathers light over the sensor and spreads it by the lens's Gaussian, rectangle by rectangle.</summary>
-    internal sealed class SensorBlur
+    /// <summary>Gathers light over the sensor and spreads it by the lens's Gaussian, rectangle by rectangle. Not thread-safe.</summary>
+    internal sealed unsafe class SensorBlur
     {
         private readonly Vector4[] _gathered, _across, _result;
         private readonly float[] _kernel;
@@ -16,12 +16,12 @@ namespace LaserTracking.Simulation
             _width = width;
             _height = height;
             Radius = sigmaPx > 0.05 ? (int)Math.Ceiling(3 * sigmaPx) : 0;
-            _kernel = new float[2 * Radius + 1];
-            double sum = 0;
+            _kernel = new float[Radius + 1];
+            double sum = 0, scale = 2 * Math.Max(1e-9, sigmaPx * sigmaPx);
             for (int i = -Radius; i <= Radius; i++)
-                sum += Math.Exp(-i * i / (2 * Math.Max(1e-9, sigmaPx * sigmaPx)));
-            for (int i = -Radius; i <= Radius; i++)
-                _kernel[i + Radius] = (float)(Math.Exp(-i * i / (2 * Math.Max(1e-9, sigmaPx * sigmaPx))) / sum);
+                sum += Math.Exp(-i * i / scale);
+            for (int i = 0; i <= Radius; i++)
+                _kernel[i] = (float)(Math.Exp(-i * i / scale) / sum);
             _gathered = new Vector4[width * height];
             _across = new Vector4[width * height];
             _result = new Vector4[width];
@@ -48,25 +48,28 @@ namespace LaserTracking.Simulation
         {
             _left = rect.Left;
             _right = rect.Right;
-            PixelRect grown = rect.Grow(Radius).Intersect(new PixelRect(0, 0, _width, _height));
-            for (int y = grown.Top; y < grown.Bottom; y++)
+            int top = Math.Max(0, rect.Top - Radius), bottom = Math.Min(_height, rect.Bottom + Radius);
+            int safeLeft = Math.Max(rect.Left, Radius), safeRight = Math.Max(safeLeft, Math.Min(rect.Right, _width - Radius));
+            fixed (Vector4* gathered = _gathered, across = _across)
+            fixed (float* kernel = _kernel)
             {
-                int row = y * _width;
-                for (int x = rect.Left; x < rect.Right; x++)
+                for (int y = top; y < bottom; y++)
                 {
-                    Vector4 sum = default;
-                    if (x >= Radius && x + Radius < _width)
+                    Vector4* source = gathered + (long)y * _width;
+                    Vector4* target = across + (long)y * _width;
+                    for (int x = rect.Left; x < Math.Min(safeLeft, rect.Right); x++)
+                        target[x] = AtBorder(source, x);
+                    for (int x = safeLeft; x < safeRight; x++)
                     {
-                        for (int i = 0; i < _kernel.Length; i++)
-                            sum += _gathered[row + x - Radius + i] * _kernel[i];
-                    }
-                    else
-                    {
-                        for (int i = -Radius; i <= Radius; i++)
-                            sum += _gathered[row + Math.Max(0, Math.Min(_width - 1, x + i))] * _kernel[i + Radius];
+                        Vector4* p = source + x;
+                        Vector4 sum = p[0] * kernel[0];
+                        for (int i = 1; i <= Radius; i++)
+                            sum += (p[-i] + p[i]) * kernel[i];
+                        target[x] = sum;
                     }
 
-                    _across[row + x] = sum;
+                    for (int x = safeRight; x < rect.Right; x++)
+                        target[x] = AtBorder(source, x);
                 }
             }
         }
@@ -74,17 +77,30 @@ namespace LaserTracking.Simulation
         /// <summary>A finished row of the rectangle last run; valid until the next call.</summary>
         public ReadOnlySpan<Vector4> Result(int y)
         {
-            for (int x = _left; x < _right; x++)
-                _result[x] = default;
-            for (int i = -Radius; i <= Radius; i++)
+            fixed (Vector4* across = _across, result = _result)
             {
-                int row = Math.Max(0, Math.Min(_height - 1, y + i)) * _width;
-                float weight = _kernel[i + Radius];
+                Vector4* middle = across + (long)y * _width;
                 for (int x = _left; x < _right; x++)
-                    _result[x] += _across[row + x] * weight;
+                    result[x] = middle[x] * _kernel[0];
+                for (int i = 1; i <= Radius; i++)
+                {
+                    Vector4* above = across + (long)Math.Max(0, y - i) * _width;
+                    Vector4* below = across + (long)Math.Min(_height - 1, y + i) * _width;
+                    float weight = _kernel[i];
+                    for (int x = _left; x < _right; x++)
+                        result[x] += (above[x] + below[x]) * weight;
+                }
             }
 
             return _result;
+        }
+
+        private Vector4 AtBorder(Vector4* source, int x)
+        {
+            Vector4 sum = source[x] * _kernel[0];
+            for (int i = 1; i <= Radius; i++)
+                sum += (source[Math.Max(0, x - i)] + source[Math.Min(_width - 1, x + i)]) * _kernel[i];
+            return sum;
         }
     }
 }

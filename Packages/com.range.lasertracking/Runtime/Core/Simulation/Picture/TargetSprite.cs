@@ -67,9 +67,9 @@ namespace LaserTracking.Simulation
                         Vector4 lower = texel[_width] + (texel[_width + 1] - texel[_width]) * fu;
                         Vector4 color = upper + (lower - upper) * fv;
                         float rest = 1 - color.W;
-                        pixel[0] = (byte)(color.X + pixel[0] * rest + 0.5f);
-                        pixel[1] = (byte)(color.Y + pixel[1] * rest + 0.5f);
-                        pixel[2] = (byte)(color.Z + pixel[2] * rest + 0.5f);
+                        pixel[0] = (byte)(int)(color.X + pixel[0] * rest + 0.5f);
+                        pixel[1] = (byte)(int)(color.Y + pixel[1] * rest + 0.5f);
+                        pixel[2] = (byte)(int)(color.Z + pixel[2] * rest + 0.5f);
                     }
                 }
             }

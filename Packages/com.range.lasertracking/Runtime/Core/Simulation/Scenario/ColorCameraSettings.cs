@@ -71,7 +71,7 @@ namespace LaserTracking.Simulation
             Gain = v.Number("gain", Gain, 0.01, 100);
             Gamma = v.Number("gamma", Gamma, 1, 4);
             BlurPx = v.Number("blur_px", BlurPx, 0, 6);
-            FullWellElectrons = v.Number("full_well_electrons", FullWellElectrons, 100, 1e9);
+            FullWellElectrons = v.Number("full_well_electrons", FullWellElectrons, 100, 1e13);
             ReadNoiseElectrons = v.Number("read_noise_electrons", ReadNoiseElectrons, 0, 500);
             Vignetting = v.Number("vignetting", Vignetting, 0, 0.9);
             RollingShutterRowUs = v.Number("rolling_shutter_row_us", RollingShutterRowUs, 0, 100);

@@ -140,7 +140,9 @@ namespace LaserTracking.Simulation
             string range = FormattableString.Invariant($"give a number from {minimum} to {maximum}");
             if (token.Type != JTokenType.Integer && token.Type != JTokenType.Float)
                 throw Complaint(token, token.Path, "is " + Show(token), range);
-            double number = Convert.ToDouble(((JValue)token).Value, CultureInfo.InvariantCulture);
+            object? value = ((JValue)token).Value;
+            // Whole numbers beyond 64 bits come as a type that Convert does not know.
+            double number = value is IConvertible ? Convert.ToDouble(value, CultureInfo.InvariantCulture) : double.PositiveInfinity;
             if (!(number >= minimum && number <= maximum))
                 throw Complaint(token, token.Path, FormattableString.Invariant($"is {number}"), range);
             return number;

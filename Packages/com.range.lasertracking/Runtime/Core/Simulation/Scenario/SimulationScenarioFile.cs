@@ -41,10 +41,9 @@ namespace LaserTracking.Simulation
                     LineInfoHandling = LineInfoHandling.Load,
                     DuplicatePropertyNameHandling = DuplicatePropertyNameHandling.Error,
                 });
+                // Reads on only to find out that nothing follows; the reader complains when something does.
                 while (reader.Read())
                 {
-                    if (reader.TokenType != JsonToken.Comment)
-                        throw new InputException(source, "line " + reader.LineNumber + ": text after the scenario", "remove it");
                 }
             }
             catch (JsonReaderException e)
