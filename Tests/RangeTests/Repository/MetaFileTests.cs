@@ -64,7 +64,7 @@ namespace LaserTracking.Repository
                     ".md" => "TextScriptImporter:",
                     ".json" => path == RepositoryFiles.Package + "/package.json" ? "PackageManifestImporter:" : "TextScriptImporter:",
                     ".dll" => "PluginImporter:",
-                    _ => "Importer:",
+                    _ => "DefaultImporter:",
                 };
                 if (!meta.Contains("\n" + importer, StringComparison.Ordinal) && !meta.Contains("  " + importer + "\n", StringComparison.Ordinal))
                     wrong.Add(path + ": its .meta has no " + importer);

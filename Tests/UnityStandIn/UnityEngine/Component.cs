@@ -1,6 +1,7 @@
 // Test code, never shipped: part of an executable stand-in for Unity's engine, see Tests/UnityStandIn/README.md.
 using System;
 using System.Collections.Generic;
+using UnityStandIn;
 
 namespace UnityEngine
 {
@@ -44,6 +45,7 @@ namespace UnityEngine
                 return;
             gameObject.Detach(this);
             SayGoodbye();
+            World.Remove(this);
             base.DestroyNow();
         }
     }

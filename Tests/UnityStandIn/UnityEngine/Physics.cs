@@ -14,7 +14,7 @@ namespace UnityEngine
 
         public static void SyncTransforms()
         {
-            foreach (Collider collider in World.All<Collider>())
+            foreach (Collider collider in World.Colliders)
                 collider.SyncTransform();
         }
 
@@ -38,7 +38,7 @@ namespace UnityEngine
             bool withTriggers = queryTriggerInteraction == QueryTriggerInteraction.Collide
                 || (queryTriggerInteraction == QueryTriggerInteraction.UseGlobal && queriesHitTriggers);
             double nearest = maxDistance;
-            foreach (Collider collider in World.All<Collider>())
+            foreach (Collider collider in World.Colliders)
             {
                 if (!collider.enabled || !collider.gameObject.activeInHierarchy || (layerMask & 1 << collider.gameObject.layer) == 0
                     || (collider.isTrigger && !withTriggers))

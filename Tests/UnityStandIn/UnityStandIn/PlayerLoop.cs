@@ -52,6 +52,9 @@ namespace UnityStandIn
             Physics.queriesHitBackfaces = false;
         }
 
+        /// <summary>All components of a type in the scene, in order of creation, inactive ones too.</summary>
+        public static List<T> All<T>() where T : Component => World.All<T>();
+
         private static void SendAll(string message)
         {
             foreach (MonoBehaviour behaviour in InOrder())

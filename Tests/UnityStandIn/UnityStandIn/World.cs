@@ -10,20 +10,32 @@ namespace UnityStandIn
     {
         private static readonly List<GameObject> GameObjects = new List<GameObject>();
         private static readonly List<Component> Components = new List<Component>();
+        private static readonly List<Collider> AllColliders = new List<Collider>();
         private static readonly List<Object> Doomed = new List<Object>();
+
+        /// <summary>Apart, because every ray walks over them.</summary>
+        public static IReadOnlyList<Collider> Colliders => AllColliders;
 
         public static void Add(GameObject created) => GameObjects.Add(created);
 
-        public static void Add(Component created) => Components.Add(created);
+        public static void Add(Component created)
+        {
+            Components.Add(created);
+            if (created is Collider collider)
+                AllColliders.Add(collider);
+        }
+
+        public static void Remove(Component destroyed)
+        {
+            Components.Remove(destroyed);
+            if (destroyed is Collider collider)
+                AllColliders.Remove(collider);
+        }
 
         public static void Remove(GameObject destroyed) => GameObjects.Remove(destroyed);
 
         /// <summary>A copy: whoever walks over it may create and destroy.</summary>
-        public static List<T> All<T>() where T : Component
-        {
-            Components.RemoveAll(component => component == null);
-            return Components.OfType<T>().ToList();
-        }
+        public static List<T> All<T>() where T : Component => Components.OfType<T>().ToList();
 
         public static void DestroyLater(Object doomed) => Doomed.Add(doomed);
 
@@ -48,6 +60,7 @@ namespace UnityStandIn
 
             GameObjects.Clear();
             Components.Clear();
+            AllColliders.Clear();
             Doomed.Clear();
         }
     }

@@ -1,0 +1,155 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using LaserTracking.Geometry;
+using LaserTracking.Host.Scenes;
+using LaserTracking.Scoring;
+using NUnit.Framework;
+using UnityEngine;
+using UnityStandIn;
+using RaycastHit = LaserTracking.Scoring.RaycastHit;
+
+namespace LaserTracking.Unity
+{
+    /// <summary>
+    /// Assets/Scenes/Range.unity, read twice by readers that share no code: into the headless model, and into the stand-in with the
+    /// package's components. Both must give the same hits.
+    /// </summary>
+    public sealed class ShippedSceneTests : StandInTests
+    {
+        private const double ToleranceM = 2e-3;
+
+        private static readonly string Scene = Path.Combine(TestFiles.Repository, "Assets", "Scenes", "Range.unity");
+
+        [Test]
+        public void Scene_Played_RunsWithoutErrors()
+        {
+            SceneLoader.Load(Scene);
+            for (int i = 0; i < 300; i++)
+                PlayerLoop.Step(1 / 60.0);
+            Assert.That(ConsoleLog.Entries.Where(entry => entry.Type != LogType.Warning), Is.Empty);
+            Assert.That(Targets().Where(target => target.Definition == null), Is.Empty);
+            Assert.That(Targets(), Has.Count.GreaterThanOrEqualTo(8));
+            Assert.That(Targets().Select(target => target.Definition!.Kind).Distinct().Count(), Is.EqualTo(4), "kinds of target");
+        }
+
+        [Test]
+        public void Scene_EveryTarget_IsHitAtItsCenterInBothWorlds()
+        {
+            SceneLoader.Load(Scene);
+            SceneModel model = UnitySceneReader.Read(Scene);
+            Assert.That(model.Objects.Where(owner => owner.Target != null).Select(owner => owner.Name), Is.EquivalentTo(Targets().Select(target => target.name)));
+            var analytic = new AnalyticRaycaster(model);
+            var physics = new PhysicsRaycaster(model.LayerMask);
+            foreach (SceneObject target in model.Objects.Where(owner => owner.Target != null))
+            {
+                foreach (double timeS in new[] { 0, 2.6, 17.1 })
+                {
+                    Vector3D center = target.PoseAt(timeS).Position;
+                    var ray = new Ray3D(model.Viewpoint, center - model.Viewpoint);
+                    bool expectsHit = analytic.TryRaycast(ray, 100, timeS, out RaycastHit expected);
+                    Assert.That(physics.TryRaycast(ray, 100, timeS, out RaycastHit actual), Is.EqualTo(expectsHit), target.Name);
+                    if (expectsHit)
+                        Same(physics, actual, analytic, expected, target.Name + " at " + timeS);
+                }
+            }
+        }
+
+        [Test]
+        public void Scene_RaysThroughTheScreen_HitTheSameInBothWorlds()
+        {
+            SceneLoader.Load(Scene);
+            SceneModel model = UnitySceneReader.Read(Scene);
+            var analytic = new AnalyticRaycaster(model);
+            var physics = new PhysicsRaycaster(model.LayerMask);
+            var random = new System.Random(23);
+            var met = new HashSet<int>();
+            int compared = 0;
+            foreach (double timeS in new[] { 0, 1.37, 4.9, 33.3 })
+            {
+                for (int i = 0; i < 250; i++)
+                {
+                    Vector3D onScreen = model.ScreenToScene(new Vector3D(random.NextDouble() * model.ScreenSizeM.X, random.NextDouble() * model.ScreenSizeM.Y, 0.01));
+                    var ray = new Ray3D(onScreen, onScreen - model.Viewpoint);
+                    if (!IsClearCut(analytic, ray, timeS, out bool expectsHit, out RaycastHit expected))
+                        continue;
+                    Assert.That(physics.TryRaycast(ray, 100, timeS, out RaycastHit actual), Is.EqualTo(expectsHit));
+                    compared++;
+                    if (!expectsHit)
+                        continue;
+                    met.Add(expected.ObjectIndex);
+                    Same(physics, actual, analytic, expected, "ray " + i + " at " + timeS);
+                }
+            }
+
+            Assert.That(compared, Is.GreaterThan(750));
+            Assert.That(met.Count, Is.GreaterThan(8), "different objects met");
+        }
+
+        [Test]
+        public void Scene_ShotThroughTheCamera_IsScoredAndReachesItsTarget()
+        {
+            SceneLoader.Load(Scene);
+            SceneModel model = UnitySceneReader.Read(Scene);
+            SceneObject aimedAt = model.Objects.First(owner => owner.Target != null && owner.Target.Kind != TargetKind.NoShoot && owner.Motion.Kind == MotionKind.None);
+            var targetM = new Vector3D(aimedAt.Target!.Zones[0].CenterM.X, aimedAt.Target.Zones[0].CenterM.Y, 0);
+            Vector2D dotM = OnScreen(model, aimedAt.PoseAt(0).TransformPoint(targetM));
+            LaserTarget target = Targets().Single(candidate => candidate.name == aimedAt.Name);
+            int hits = 0;
+            target.Hit += shot => hits += shot.Hit.Points == aimedAt.Target.Zones[0].Points ? 1 : 0;
+
+            LaserRange range = World<LaserRange>();
+            StubSourceAsset source = ScriptableObject.CreateInstance<StubSourceAsset>();
+            source.Create = () => new StubSource(45, 0, (30, (int)Math.Round(dotM.X / 3.73 * 640), (int)Math.Round(dotM.Y / 2.26 * 480)));
+            SerializedFields.Set(range, "_source", source);
+            SerializedFields.Set(World<ScreenSurface>(), "_calibration", new TextAsset(RangeRig.Calibration));
+            for (int i = 0; i < 120; i++)
+                PlayerLoop.Step(1 / 60.0);
+            Assert.That(ConsoleLog.Entries, Is.Empty);
+            Assert.That(hits, Is.EqualTo(1), aimedAt.Name);
+        }
+
+        private static Vector2D OnScreen(SceneModel model, Vector3D scenePoint)
+        {
+            Vector3D eye = model.SceneToScreen(model.Viewpoint), point = model.SceneToScreen(scenePoint);
+            Vector3D crossing = eye + (point - eye) * (-eye.Z / (point.Z - eye.Z));
+            return new Vector2D(crossing.X, crossing.Y);
+        }
+
+        private static void Same(PhysicsRaycaster physics, RaycastHit actual, AnalyticRaycaster analytic, RaycastHit expected, string which)
+        {
+            physics.TryGetTarget(actual.ObjectIndex, out string name, out TargetDefinition? definition);
+            analytic.TryGetTarget(expected.ObjectIndex, out string expectedName, out TargetDefinition? expectedDefinition);
+            Assert.That(name, Is.EqualTo(expectedName), which);
+            Assert.That((actual.PointM - expected.PointM).Length, Is.LessThan(ToleranceM), which);
+            Assert.That((actual.LocalPointM - expected.LocalPointM).Length, Is.LessThan(ToleranceM), which);
+            Assert.That(Describe(definition), Is.EqualTo(Describe(expectedDefinition)), which);
+        }
+
+        // Rounded: Unity stores floats.
+        private static string Describe(TargetDefinition? definition) => definition == null ? "scenery"
+            : FormattableString.Invariant($"{definition.Name} {definition.Kind} {definition.SizeM.X:F4} {definition.SizeM.Y:F4}: ") + string.Join("; ", definition.Zones.Select(Describe));
+
+        private static string Describe(TargetZone zone) =>
+            FormattableString.Invariant($"{zone.Name} {zone.Points} {zone.Shape} {zone.CenterM.X:F4} {zone.CenterM.Y:F4} {zone.SizeM.X:F4} {zone.SizeM.Y:F4} ")
+            + string.Join(" ", zone.CornersM.Select(corner => FormattableString.Invariant($"{corner.X:F4},{corner.Y:F4}")));
+
+        private static bool IsClearCut(AnalyticRaycaster analytic, Ray3D ray, double timeS, out bool isHit, out RaycastHit hit)
+        {
+            isHit = analytic.TryRaycast(ray, 100, timeS, out hit);
+            foreach (Vector3D aside in new[] { new Vector3D(3e-4, 0, 0), new Vector3D(-3e-4, 0, 0), new Vector3D(0, 3e-4, 0), new Vector3D(0, -3e-4, 0) })
+            {
+                if (analytic.TryRaycast(new Ray3D(ray.Origin, ray.Direction + aside), 100, timeS, out RaycastHit near) != isHit
+                    || (isHit && (near.ObjectIndex != hit.ObjectIndex || (near.Normal - hit.Normal).Length > 0.1)))
+                    return false;
+            }
+
+            return true;
+        }
+
+        private static List<LaserTarget> Targets() => PlayerLoop.All<LaserTarget>();
+
+        private static T World<T>() where T : Component => PlayerLoop.All<T>().Single();
+    }
+}
