@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
@@ -136,8 +137,8 @@ internal sealed class EventScorer
             {
                 json.WriteStartArray();
                 json.WriteNumberValue(_events[j].Frame);
-                json.WriteNumberValue(Math.Round(_events[j].PositionPx.X, 1));
-                json.WriteNumberValue(Math.Round(_events[j].PositionPx.Y, 1));
+                json.WriteNumberValue(Round(_events[j].PositionPx.X, 1));
+                json.WriteNumberValue(Round(_events[j].PositionPx.Y, 1));
                 json.WriteEndArray();
             }
 
@@ -168,7 +169,18 @@ internal sealed class EventScorer
         if (errors.Length == 0)
             json.WriteNull(name);
         else
-            json.WriteNumber(name, Math.Round(errors[index], decimals));
+            json.WriteNumber(name, Round(errors[index], decimals));
+    }
+
+    /// <summary>
+    /// Rounds the number's exact binary value as the reference tool does, ties to even. Math.Round multiplies first and so takes
+    /// 6.35 (which lies below the tie) up.
+    /// </summary>
+    private static double Round(double value, int decimals)
+    {
+        bool mayBeTie = value * 1024 == Math.Floor(value * 1024);
+        return mayBeTie ? Math.Round(value, decimals)
+            : double.Parse(value.ToString("F" + decimals, CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
     }
 
     /// <summary>What of a reported shot counts here.</summary>
