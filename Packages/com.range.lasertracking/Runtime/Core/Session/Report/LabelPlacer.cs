@@ -44,6 +44,20 @@ namespace LaserTracking.Session
             return best;
         }
 
+        /// <summary>The first of the heights at which a label of this size covers nothing, or else the first; taken from then on.</summary>
+        public double FirstFree(double centerX, double width, double height, params double[] centersY)
+        {
+            double chosen = centersY[0];
+            for (int i = centersY.Length - 1; i >= 0; i--)
+            {
+                if (Overlap(centerX, centersY[i], width, height) <= 0 && centersY[i] > height && centersY[i] < _height - height)
+                    chosen = centersY[i];
+            }
+
+            Take(centerX, chosen, width, height);
+            return chosen;
+        }
+
         private double Overlap(double centerX, double centerY, double width, double height)
         {
             double sum = 0;

@@ -78,16 +78,23 @@ namespace LaserTracking.Session
             if (data.Options.Scene != null)
                 html.Raw(" · scene <b>").Text(data.Options.Scene.Name).Raw("</b>");
             html.Raw("</p>\n<dl class=\"tiles\">");
-            Tile(html, "Duration").Number(data.Session.Summary.SecondsMedia, 1).Raw(" <small>s</small></dd></div>");
+            Tile(html, "Duration").Column(data.Session.IsEnded ? data.Session.Summary.SecondsMedia : double.NaN, 1).Raw(" <small>s</small></dd></div>");
             Tile(html, "Shots").Integer(data.Session.ShotCount).Raw("</dd></div>");
-            Tile(html, "Hits").Integer(data.All.Hits);
-            if (data.All.Shots > 0)
-                html.Raw(" <small>").Percent((double)data.All.Hits / data.All.Shots).Raw("</small>");
+            if (data.IsScored)
+                DrawResultTiles(html, data.All);
+            html.Raw("</dl>\n</header>\n");
+        }
+
+        private static void DrawResultTiles(HtmlWriter html, ReportTotals all)
+        {
+            Tile(html, "Hits").Integer(all.Hits);
+            if (all.Shots > 0)
+                html.Raw(" <small>").Percent((double)all.Hits / all.Shots).Raw("</small>");
             html.Raw("</dd></div>");
-            Tile(html, "Misses").Integer(data.All.Misses).Raw("</dd></div>");
-            Tile(html, "No-shoot hits", data.All.Mistakes > 0).Integer(data.All.Mistakes).Raw("</dd></div>");
-            Tile(html, "Points").Column(data.All.Points, 0).Raw("</dd></div>");
-            Tile(html, "Score").Column(data.All.Score, 1).Raw("</dd></div></dl>\n</header>\n");
+            Tile(html, "Misses").Integer(all.Misses).Raw("</dd></div>");
+            Tile(html, "No-shoot hits", all.Mistakes > 0).Integer(all.Mistakes).Raw("</dd></div>");
+            Tile(html, "Points").Column(all.Points, 0).Raw("</dd></div>");
+            Tile(html, "Score").Column(all.Score, 1).Raw("</dd></div>");
         }
 
         private static HtmlWriter Tile(HtmlWriter html, string name, bool isBad = false) =>
@@ -113,18 +120,22 @@ namespace LaserTracking.Session
                 html.Raw("</li>");
             }
 
-            Legend(html, "", "hit");
-            Legend(html, " miss", "miss");
+            if (data.IsScored && data.Shots.Length > 0)
+            {
+                Legend(html, "", "hit");
+                Legend(html, " miss", "miss");
+            }
+
             if (data.All.Mistakes > 0)
                 Legend(html, " mistake", "no-shoot hit");
             html.Raw("</ul>\n<p class=\"caption\">");
             if (!data.HasScreen)
-                html.Raw("There is no screen calibration: places are pixels of the camera, and nothing was scored. ");
+                html.Raw("There is no screen calibration: places are pixels of the camera, so nothing could be scored. ");
             else if (data.Options.Scene == null)
                 html.Raw("There is no scene: only the places of the shots are known. ");
             else
-                html.Raw("Targets stand as they did ").Column(data.PictureTimeS, 2).Raw(" s into the scene; dotted lines are their ways, dashed outlines where a moving target stood when it was hit. ");
-            html.Raw("The ellipse round a hole holds its true place with 95 % probability.</p>\n</section>\n");
+                html.Raw("Targets stand as they did ").Column(data.PictureTimeS, 2).Raw(" s into the scene; dotted lines are the ways of moving ones, dashed outlines where a moving target stood when it was hit. ");
+            html.Raw("A tinted ellipse holds the true place with 95 % probability where it is larger than the mark.</p>\n</section>\n");
         }
 
         private static void Legend(HtmlWriter html, string kind, string name) => html

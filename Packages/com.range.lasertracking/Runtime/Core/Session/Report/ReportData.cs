@@ -26,6 +26,7 @@ namespace LaserTracking.Session
                 All.Add(shot);
             ScreenSizeM = options.Scene?.ScreenSizeM ?? options.ScreenSizeM;
             HasScreen = ScreenSizeM.HasValue || Array.Exists(Shots, shot => shot.Event.HasScreenPosition);
+            IsScored = options.Scene != null || Array.Exists(Shots, shot => shot.Event.HasHit);
             PictureTimeS = options.PictureTimeS ?? (Shots.Length > 0 ? SceneTimeS(Shots[0]) : 0);
         }
 
@@ -49,6 +50,9 @@ namespace LaserTracking.Session
         /// <summary>Shots have, or could have, places on the screen; otherwise they are drawn in camera pixels.</summary>
         public bool HasScreen { get; }
 
+        /// <summary>There was something to hit; otherwise no shot is a miss.</summary>
+        public bool IsScored { get; }
+
         public double PictureTimeS { get; }
 
         private long ZeroTimeUs { get; }
@@ -56,11 +60,13 @@ namespace LaserTracking.Session
         /// <summary>The scene's clock when the shot's light left.</summary>
         public double SceneTimeS(ReportShot shot) => (shot.Event.Shot.TimeUs - ZeroTimeUs) * 1e-6;
 
-        /// <summary>Name and kind of the light, for tables and titles.</summary>
         public string ShooterName(ReportShot shot) => _shooters[shot.ShooterIndex].Name;
 
         /// <summary>Class that gives a shooter's colour; eight colours, then again.</summary>
         public static string ColorClass(int shooter) => shooter <= 0 ? "s0" : "s" + (char)('1' + (shooter - 1) % 8);
+
+        /// <summary>Classes of a shot's mark, after its shooter's.</summary>
+        public string MarkClass(ReportShot shot) => shot.IsMistake ? " mistake" : shot.Event.HasHit || !IsScored ? "" : " miss";
 
         private ReportShot Prepare(in ShotEvent shot)
         {

@@ -10,9 +10,9 @@ namespace LaserTracking.Session
             html.Raw("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"All shots\"><table class=\"shots\">\n<thead><tr>")
                 .Raw("<th scope=\"col\" class=\"n\">Shot</th><th scope=\"col\" class=\"n\">Time, s</th>")
                 .Raw("<th scope=\"col\" class=\"n\" title=\"Time since the same shooter's shot before; an arrow marks a change of target\">Split, s</th>")
-                .Raw("<th scope=\"col\">Shooter</th><th scope=\"col\">Target</th><th scope=\"col\">Zone</th>")
-                .Raw("<th scope=\"col\" class=\"n\">Points</th><th scope=\"col\" class=\"n\">Score</th>")
-                .Raw("<th scope=\"col\" class=\"n\" title=\"Probability that the true point lies in this zone\">Zone sure</th>")
+                .Raw("<th scope=\"col\">Shooter</th>")
+                .Raw(!data.IsScored ? "" : "<th scope=\"col\">Target</th><th scope=\"col\">Zone</th><th scope=\"col\" class=\"n\">Points</th><th scope=\"col\" class=\"n\">Score</th>" +
+                    "<th scope=\"col\" class=\"n\" title=\"Probability that the true point lies in this zone\">Zone sure</th>")
                 .Raw("<th scope=\"col\">Laser</th><th scope=\"col\" class=\"n\" title=\"The detector's confidence\">Confidence</th>")
                 .Raw("<th scope=\"col\" class=\"n\" title=\"One standard deviation of the place, ")
                 .Raw(data.HasScreen ? "on the screen\">± mm" : "in the camera's picture\">± px").Raw("</th></tr></thead>\n<tbody>\n");
@@ -24,8 +24,9 @@ namespace LaserTracking.Session
         public static void Shooters(HtmlWriter html, ReportData data)
         {
             html.Raw("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Shooters\"><table>\n<thead><tr><th scope=\"col\">Shooter</th>")
-                .Raw("<th scope=\"col\" class=\"n\">Shots</th><th scope=\"col\" class=\"n\">Hits</th><th scope=\"col\" class=\"n\">Misses</th>")
-                .Raw("<th scope=\"col\" class=\"n\">No-shoots</th><th scope=\"col\" class=\"n\">Points</th><th scope=\"col\" class=\"n\">Score</th>")
+                .Raw("<th scope=\"col\" class=\"n\">Shots</th>")
+                .Raw(!data.IsScored ? "" : "<th scope=\"col\" class=\"n\">Hits</th><th scope=\"col\" class=\"n\">Misses</th><th scope=\"col\" class=\"n\">No-shoots</th>" +
+                    "<th scope=\"col\" class=\"n\">Points</th><th scope=\"col\" class=\"n\">Score</th>")
                 .Raw("<th scope=\"col\" class=\"n\">First shot, s</th><th scope=\"col\" class=\"n\">Mean split, s</th>")
                 .Raw("<th scope=\"col\" class=\"n\">Best split, s</th><th scope=\"col\" class=\"n\">Mean transition, s</th></tr></thead>\n<tbody>\n");
             foreach (ReportTotals shooter in data.Shooters)
@@ -33,7 +34,9 @@ namespace LaserTracking.Session
                 html.Raw("<tr><th scope=\"row\">");
                 ShotText.Shooter(html, shooter);
                 html.Raw("</th>");
-                Sums(html, shooter);
+                html.Raw("<td class=\"n\">").Integer(shooter.Shots).Raw("</td>");
+                if (data.IsScored)
+                    Sums(html, shooter);
                 Seconds(html, shooter.FirstS);
                 Seconds(html, shooter.MeanSplitS);
                 Seconds(html, shooter.BestSplitS);
@@ -67,7 +70,7 @@ namespace LaserTracking.Session
         {
             ShotEvent e = shot.Event;
             html.Raw("<tr id=\"shot-").Integer(shot.Id).Raw("\" data-shot=\"").Integer(shot.Id)
-                .Raw(shot.IsMistake ? "\" class=\"mistake\">" : e.HasHit ? "\">" : "\" class=\"miss\">")
+                .Raw("\" class=\"row").Raw(data.MarkClass(shot)).Raw("\">")
                 .Raw("<th scope=\"row\" class=\"n\"><a href=\"#hole-").Integer(shot.Id).Raw("\">").Integer(shot.Id).Raw("</a></th>");
             Seconds(html, shot.TimeS);
             if (double.IsNaN(shot.IntervalS))
@@ -88,9 +91,9 @@ namespace LaserTracking.Session
                     .Raw(e.Hit.ZoneProbability < 0.8 ? "</td><td class=\"n close\" title=\"Close to a zone's line\">" : "</td><td class=\"n\">")
                     .Percent(e.Hit.ZoneProbability).Raw("</td>");
             }
-            else
+            else if (data.IsScored)
             {
-                html.Raw("<td colspan=\"5\" class=\"none\">").Raw(data.HasScreen ? "miss" : "not scored").Raw("</td>");
+                html.Raw("<td colspan=\"5\" class=\"none\">miss</td>");
             }
 
             html.Raw("<td>").Raw(e.Shot.Dot.Color == LaserColor.Unknown ? "–" : EventWords.Of(e.Shot.Dot.Color)).Raw("</td><td class=\"n\">")
@@ -105,7 +108,7 @@ namespace LaserTracking.Session
         }
 
         private static void Sums(HtmlWriter html, ReportTotals totals) => html
-            .Raw("<td class=\"n\">").Integer(totals.Shots).Raw("</td><td class=\"n\">").Integer(totals.Hits).Raw("</td><td class=\"n\">")
+            .Raw("<td class=\"n\">").Integer(totals.Hits).Raw("</td><td class=\"n\">")
             .Integer(totals.Misses).Raw(totals.Mistakes > 0 ? "</td><td class=\"n bad\">" : "</td><td class=\"n\">").Integer(totals.Mistakes)
             .Raw("</td><td class=\"n\">").Column(totals.Points, 0).Raw("</td><td class=\"n\">").Column(totals.Score, 2).Raw("</td>");
 

@@ -136,9 +136,9 @@ namespace LaserTracking.Session
                 (Vector2D local, out Vector2D mapped) => MapAt(target, _data.PictureTimeS, local, out mapped), out List<Vector2D> view))
                 return;
             TargetDrawing.Bounds(view, out Vector2D low, out Vector2D high);
-            double y = Math.Min(high.Y + 14, _viewHeight - 5), width = 6.2 * target.Name.Length;
-            double x = Math.Max(width / 2, Math.Min(ViewWidth - width / 2, (low.X + high.X) / 2));
-            _labels.Take(x, y - 4, width, 13);
+            double width = 6.6 * target.Name.Length, x = Math.Max(width / 2, Math.Min(ViewWidth - width / 2, (low.X + high.X) / 2));
+            double y = _labels.FirstFree(x, width, 13, high.Y + 10, low.Y - 8, high.Y + 23, low.Y - 21);
+            y = Math.Max(12, Math.Min(_viewHeight - 5, y + 4));
             _html.Raw("<text class=\"name\" x=\"").Number(x, 1).Raw("\" y=\"").Number(y, 1).Raw("\">").Text(target.Name).Raw("</text>\n");
         }
 
@@ -148,13 +148,13 @@ namespace LaserTracking.Session
                 return;
             string paint = ReportData.ColorClass(_data.Shooters[shot.ShooterIndex].Number);
             DrawGhosts(shot, paint);
-            _html.Raw("<a class=\"hole ").Raw(paint).Raw(shot.IsMistake ? " mistake" : shot.Event.HasHit ? "" : " miss")
+            _html.Raw("<a class=\"hole ").Raw(paint).Raw(_data.MarkClass(shot))
                 .Raw("\" id=\"hole-").Integer(shot.Id).Raw("\" href=\"#shot-").Integer(shot.Id).Raw("\" data-shot=\"").Integer(shot.Id).Raw("\">");
             ShotText.Title(_html, _data, shot);
             Covariance2D covariance = _data.HasScreen ? shot.Event.ScreenCovarianceMm2.Transform(_scale * 1e-3, 0, 0, _scale * 1e-3)
                 : shot.Event.Shot.Dot.CovariancePx.Transform(_scale, 0, 0, _scale);
             new UncertaintyEllipse(covariance).Draw(_html, at.X, at.Y);
-            ShotText.Mark(_html, shot, at);
+            ShotText.Mark(_html, shot, at, 4.5);
             if (_data.Shots.Length <= MostLabels)
             {
                 double width = 9.5 * (shot.Id < 10 ? 1 : shot.Id < 100 ? 2 : 3);

@@ -17,16 +17,17 @@ namespace LaserTracking.Session
             }
             else
             {
-                html.Raw(data.HasScreen ? "miss" : "no scene to hit");
+                html.Raw(data.IsScored ? "miss" : "not scored");
             }
 
             html.Raw("</title>");
         }
 
         /// <summary>Filled for a hit, open for a miss, a cross on top for a hit on a no-shoot: told apart without colours.</summary>
-        public static void Mark(HtmlWriter html, ReportShot shot, Vector2D at)
+        public static void Mark(HtmlWriter html, ReportShot shot, Vector2D at, double radius)
         {
-            html.Raw("<g transform=\"translate(").Number(at.X, 1).Raw(" ").Number(at.Y, 1).Raw(")\"><circle class=\"halo\" r=\"6\"/><circle class=\"dot\" r=\"4.5\"/>");
+            html.Raw("<g transform=\"translate(").Number(at.X, 1).Raw(" ").Number(at.Y, 1).Raw(")\"><circle class=\"halo\" r=\"").Number(radius + 1.5, 1)
+                .Raw("\"/><circle class=\"dot\" r=\"").Number(radius, 1).Raw("\"/>");
             if (shot.IsMistake)
                 html.Raw("<path class=\"cross\" d=\"M-8 -8L8 8M-8 8L8 -8\"/>");
             html.Raw("</g>");

@@ -64,7 +64,7 @@ namespace LaserTracking.Session
             foreach (ReportShot hit in hits)
             {
                 Map(hit.Event.Hit.LocalPointM, out Vector2D at);
-                labels.Take(at.X, at.Y, 11, 11);
+                labels.Take(at.X, at.Y, 9, 9);
             }
 
             foreach (ReportShot hit in hits)
@@ -120,7 +120,9 @@ namespace LaserTracking.Session
                     continue;
                 TargetDrawing.Bounds(view, out Vector2D low, out Vector2D high);
                 double x = (low.X + high.X) / 2, y = low.Y + 13, width = 7.0 * zone.Name.Length;
-                if (high.Y - low.Y < 16 || high.X - low.X < width + 4 || Math.Abs(y - lastY) < 13)
+                if (Math.Abs(y - lastY) < 12 && definition.Kind != TargetKind.RingPaper)
+                    y = high.Y - 6;
+                if (high.Y - low.Y < 16 || high.X - low.X < width + 4 || Math.Abs(y - lastY) < 12)
                     continue;
                 lastY = y;
                 labels.Take(x, y - 4, width, 12);
@@ -155,7 +157,7 @@ namespace LaserTracking.Session
                 _perspective.TryToTargetMm2(_data.Options.Scene!.Objects[hit.ObjectIndex], _data.SceneTimeS(hit), hit.Event.Hit.LocalPointM,
                     hit.Event.ScreenCovarianceMm2, out Covariance2D mm2))
                 new UncertaintyEllipse(mm2.Transform(_scale * 1e-3, 0, 0, -_scale * 1e-3)).Draw(_html, at.X, at.Y);
-            ShotText.Mark(_html, hit, at);
+            ShotText.Mark(_html, hit, at, 2.8);
             Vector2D label = labels.Place(at.X, at.Y, 9.0 * (hit.Id < 10 ? 1 : hit.Id < 100 ? 2 : 3), 13, 6);
             _html.Raw("<text x=\"").Number(label.X, 1).Raw("\" y=\"").Number(label.Y + 4.5, 1).Raw("\">").Integer(hit.Id).Raw("</text></a>\n");
         }

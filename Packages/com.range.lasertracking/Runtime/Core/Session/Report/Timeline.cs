@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Geometry;
 
 namespace LaserTracking.Session
 {
@@ -8,7 +9,7 @@ namespace LaserTracking.Session
         private const double Left = 120;
         private const double Right = 980;
         private const double LaneHeight = 54;
-        private const double RoomForInterval = 34;
+        private const double RoomForInterval = 30;
         private const double RoomForNumber = 15;
 
         public static void Draw(HtmlWriter html, ReportData data)
@@ -62,10 +63,10 @@ namespace LaserTracking.Session
                 double x = At(shot.TimeS, start, end);
                 if (x - before >= RoomForInterval && !double.IsNaN(shot.IntervalS))
                     html.Raw("<text class=\"split\" x=\"").Number((x + before) / 2, 1).Raw("\" y=\"").Number(y + 18, 1).Raw("\">").Column(shot.IntervalS, 2).Raw("</text>");
-                html.Raw("<a class=\"hole ").Raw(ReportData.ColorClass(shooter.Number)).Raw(shot.IsMistake ? " mistake" : shot.Event.HasHit ? "" : " miss")
+                html.Raw("<a class=\"hole ").Raw(ReportData.ColorClass(shooter.Number)).Raw(data.MarkClass(shot))
                     .Raw("\" href=\"#shot-").Integer(shot.Id).Raw("\" data-shot=\"").Integer(shot.Id).Raw("\">");
                 ShotText.Title(html, data, shot);
-                ShotText.Mark(html, shot, new Geometry.Vector2D(x, y));
+                ShotText.Mark(html, shot, new Vector2D(x, y), 4.5);
                 if (x - numbered >= RoomForNumber)
                 {
                     html.Raw("<text x=\"").Number(x, 1).Raw("\" y=\"").Number(y - 11, 1).Raw("\">").Integer(shot.Id).Raw("</text>");
