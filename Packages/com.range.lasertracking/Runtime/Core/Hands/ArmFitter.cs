@@ -20,6 +20,7 @@ namespace LaserTracking.Hands
         private readonly double[] _binHighB = new double[Bins];
         private Vector3D[] _points = Array.Empty<Vector3D>();
         private double[] _areas = Array.Empty<double>();
+        private Vector3D _anchor;
         private int _count;
         private double _cellMm;
 
@@ -34,20 +35,31 @@ namespace LaserTracking.Hands
             double front = 0, handStart = 0, handEnd = 0;
             Vector3D hand = default, rear = default;
             bool hasRear = false, hasWeapon = false;
-            for (int pass = 0; pass < 2; pass++)
+            for (int pass = 0; pass < 3; pass++)
             {
                 front = Front(axis, out handStart);
-                hasWeapon = front - handStart > 3 * BinMm + _settings.HandLengthMm / 6;
-                double start = hasWeapon ? handStart : front;
-                handEnd = start - (hasWeapon ? 0.6 : 1) * _settings.HandLengthMm;
-                fit.HandAreaMm2 = Mean(axis, handEnd, start + 1, out hand);
+                double weapon = front - handStart;
+                hasWeapon = weapon > 3 * BinMm + _settings.HandLengthMm / 6 && weapon <= _settings.MaxWeaponMm;
+                if (hasWeapon)
+                {
+                    // A fist: shorter than a hand.
+                    handEnd = handStart - 0.6 * _settings.HandLengthMm;
+                    fit.HandAreaMm2 = Mean(axis, handEnd, handStart + 1, out hand);
+                }
+                else
+                {
+                    handEnd = front - _settings.HandLengthMm;
+                    fit.HandAreaMm2 = MeanAround(axis, front, out hand);
+                }
+
                 if (!(fit.HandAreaMm2 > 0))
                     return false;
+                _anchor = hand;
                 double rearArea = Mean(axis, handEnd - _settings.ForearmLengthMm, handEnd, out rear);
                 hasRear = rearArea > _settings.MinArmAreaMm2 / 2 && (hand - rear).Length > 0.5 * _settings.HandLengthMm;
                 if (!hasRear)
                     break;
-                axis = (hand - rear).Normalized;
+                axis = (Inside(hand, default, 0.5 * _settings.MinHandWidthMm) - Inside(rear, axis, _settings.ForearmRadiusMm)).Normalized;
                 isClear = true;
             }
 
@@ -65,6 +77,16 @@ namespace LaserTracking.Hands
             if (isClear && IsHole(grid, hand, axis, front, out Vector3D holeRay))
                 BridgeHand(axis, front, holeRay, ref fit);
             return true;
+        }
+
+        /// <summary>
+        /// From the visible surface into the limb: away from the camera, for a long limb at right angles to its axis. Without this
+        /// an arm that points near the camera seems turned, because hand and forearm show different sides.
+        /// </summary>
+        private static Vector3D Inside(Vector3D surface, Vector3D axis, double radiusMm)
+        {
+            Vector3D ray = surface.Normalized;
+            return surface + (ray - axis * Vector3D.Dot(ray, axis)).Normalized * radiusMm;
         }
 
         private void Load(DepthGrid grid, ReadOnlySpan<int> cells)
@@ -115,7 +137,8 @@ namespace LaserTracking.Hands
                 }
             }
 
-            Vector3D difference = nearSum * (1 / nearArea) - farSum * (1 / farArea);
+            _anchor = nearSum * (1 / nearArea);
+            Vector3D difference = _anchor - farSum * (1 / farArea);
             // An arm across the line of sight has no end that is clearly nearer.
             isClear = far - near > 0.35 * _settings.HandLengthMm && difference.Length > 0.5 * _settings.HandLengthMm;
             return difference.Length > 1 ? difference.Normalized : new Vector3D(0, 0, -1);
@@ -126,7 +149,11 @@ namespace LaserTracking.Hands
         {
             double top = double.MinValue;
             for (int i = 0; i < _count; i++)
-                top = Math.Max(top, Vector3D.Dot(_points[i], axis));
+            {
+                if (IsAlong(i, axis, out double s))
+                    top = Math.Max(top, s);
+            }
+
             Vector3D a = Vector3D.Cross(axis, Math.Abs(axis.Y) < 0.8 ? new Vector3D(0, 1, 0) : new Vector3D(1, 0, 0)).Normalized;
             Vector3D b = Vector3D.Cross(axis, a);
             for (int k = 0; k < Bins; k++)
@@ -138,7 +165,9 @@ namespace LaserTracking.Hands
 
             for (int i = 0; i < _count; i++)
             {
-                int k = (int)((top - Vector3D.Dot(_points[i], axis)) / BinMm);
+                if (!IsAlong(i, axis, out double s))
+                    continue;
+                int k = (int)((top - s) / BinMm);
                 if (k >= Bins)
                     continue;
                 double pa = Vector3D.Dot(_points[i], a), pb = Vector3D.Dot(_points[i], b);
@@ -162,14 +191,41 @@ namespace LaserTracking.Hands
             return top - first * BinMm;
         }
 
+        /// <summary>Position along the axis; false for what lies too far beside the line through the hand to be this arm.</summary>
+        private bool IsAlong(int i, Vector3D axis, out double s)
+        {
+            s = Vector3D.Dot(_points[i], axis);
+            Vector3D d = _points[i] - _anchor;
+            double along = Vector3D.Dot(d, axis), limit = _settings.HandLengthMm;
+            return d.LengthSquared - along * along <= limit * limit;
+        }
+
         private double Mean(Vector3D axis, double from, double to, out Vector3D mean)
         {
             Vector3D sum = default;
             double area = 0;
             for (int i = 0; i < _count; i++)
             {
-                double s = Vector3D.Dot(_points[i], axis);
-                if (s < from || s > to)
+                if (!IsAlong(i, axis, out double s) || s < from || s > to)
+                    continue;
+                sum += _points[i] * _areas[i];
+                area += _areas[i];
+            }
+
+            mean = area > 0 ? sum * (1 / area) : default;
+            return area;
+        }
+
+        /// <summary>Middle of what lies within a hand's length of the tip, whichever way the hand is bent.</summary>
+        private double MeanAround(Vector3D axis, double front, out Vector3D mean)
+        {
+            Mean(axis, front - 1.5 * BinMm, front + 1, out Vector3D tip);
+            double limit = _settings.HandLengthMm * _settings.HandLengthMm;
+            Vector3D sum = default;
+            double area = 0;
+            for (int i = 0; i < _count; i++)
+            {
+                if ((_points[i] - tip).LengthSquared > limit)
                     continue;
                 sum += _points[i] * _areas[i];
                 area += _areas[i];
@@ -185,8 +241,7 @@ namespace LaserTracking.Hands
             double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0, area = 0;
             for (int i = 0; i < _count; i++)
             {
-                double s = Vector3D.Dot(_points[i], axis);
-                if (s < from || s > to)
+                if (!IsAlong(i, axis, out double s) || s < from || s > to)
                     continue;
                 Vector3D d = _points[i] - middle;
                 double w = _areas[i];

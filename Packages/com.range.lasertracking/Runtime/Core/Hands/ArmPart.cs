@@ -11,6 +11,9 @@ namespace LaserTracking.Hands
         public double NearestMm;
         public double MiddleXMm;
 
+        /// <summary>How far it reaches out before the body it hangs on; infinite for a part on its own.</summary>
+        public double ReachMm;
+
         /// <summary>False where no body was seen behind it; then the next means nothing.</summary>
         public bool HasTorso;
 

@@ -23,6 +23,7 @@ namespace LaserTracking.Hands
         private readonly int[] _contacts;
         private int[] _cells = Array.Empty<int>();
         private byte[] _owner = Array.Empty<byte>();
+        private float[] _before = Array.Empty<float>();
         private byte[] _level = Array.Empty<byte>();
         private int _used;
         private DepthGrid _grid = null!;
@@ -50,6 +51,7 @@ namespace LaserTracking.Hands
             {
                 _level = new byte[cells];
                 _owner = new byte[cells];
+                _before = new float[cells];
                 _cells = new int[cells * (MaxLevel + 2)];
             }
 
@@ -58,7 +60,11 @@ namespace LaserTracking.Hands
             _torsos.Clear();
             float[] z = grid.Z;
             for (int i = 0; i < cells; i++)
+            {
                 _level[i] = z[i] > 0 ? (byte)1 : (byte)0;
+                _before[i] = float.MaxValue;
+            }
+
             for (int i = 0; i < cells; i++)
             {
                 if (_level[i] == 1)
@@ -112,7 +118,9 @@ namespace LaserTracking.Hands
                 float z = _grid.Z[cell];
                 int row = cell / _grid.Width;
                 double x = _grid.RayX[cell - row * _grid.Width] * z;
-                if (z < _torsos.BodyZ(x, _grid.RayY[row] * z) - forward)
+                float before = (float)_torsos.BodyZ(x, _grid.RayY[row] * z) - z;
+                _before[cell] = before;
+                if (before > forward)
                     _level[cell] = level;
                 else
                     _torsos.AddTorso(x, z);
@@ -163,7 +171,7 @@ namespace LaserTracking.Hands
             int kept = 0;
             for (int i = 0; i < ArmCount; i++)
             {
-                if (Arms[i].AreaMm2 >= _settings.MinArmAreaMm2)
+                if (Arms[i].AreaMm2 >= _settings.MinArmAreaMm2 && Arms[i].ReachMm >= _settings.MinReachMm)
                     Arms[kept++] = Arms[i];
             }
 
@@ -207,6 +215,7 @@ namespace LaserTracking.Hands
                 Count = a.Count + b.Count,
                 AreaMm2 = area,
                 NearestMm = Math.Min(a.NearestMm, b.NearestMm),
+                ReachMm = Math.Max(a.ReachMm, b.ReachMm),
                 MiddleXMm = (a.MiddleXMm * a.AreaMm2 + b.MiddleXMm * b.AreaMm2) / area,
                 HasTorso = a.HasTorso || b.HasTorso,
                 TorsoMm = a.HasTorso ? a.TorsoMm : b.TorsoMm,
@@ -223,7 +232,7 @@ namespace LaserTracking.Hands
             float step = (float)_settings.SurfaceStepMm;
             int first = _used, next = first;
             double area = 0, sumX = 0;
-            float nearest = float.MaxValue;
+            float nearest = float.MaxValue, reach = 0;
             _cells[_used++] = seed;
             _level[seed] = 0;
             while (next < _used)
@@ -234,6 +243,7 @@ namespace LaserTracking.Hands
                 area += (double)here * here;
                 sumX += (double)here * here * here * _grid.RayX[x];
                 nearest = Math.Min(nearest, here);
+                reach = Math.Max(reach, _before[cell]);
                 if (x > 0)
                     Visit(cell - 1, here);
                 if (x + 1 < width)
@@ -247,6 +257,7 @@ namespace LaserTracking.Hands
             return new ArmPart
             {
                 First = first, Count = _used - first, AreaMm2 = area * _grid.UnitArea, NearestMm = nearest, MiddleXMm = sumX / area,
+                ReachMm = reach,
             };
 
             void Visit(int neighbour, float here)

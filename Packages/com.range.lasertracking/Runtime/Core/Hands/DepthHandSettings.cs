@@ -38,6 +38,15 @@ namespace LaserTracking.Hands
         /// </summary>
         public double ForwardMm { get; set; } = 180;
 
+        /// <summary>
+        /// How far before the body an arm's end must reach. An aiming hand is 400 mm and more away, a head that leans forward and a
+        /// hand that hangs or rests are not.
+        /// </summary>
+        public double MinReachMm { get; set; } = 280;
+
+        /// <summary>From the forearm's visible surface to its middle: its radius.</summary>
+        public double ForearmRadiusMm { get; set; } = 30;
+
         /// <summary>Half the width of the body over which the torso's distance is taken (median): half a shoulder width.</summary>
         public double TorsoHalfWidthMm { get; set; } = 200;
 
@@ -64,6 +73,9 @@ namespace LaserTracking.Hands
         /// are up to 40 mm wide, fists at least 70.
         /// </summary>
         public double MinHandWidthMm { get; set; } = 52;
+
+        /// <summary>Longest narrow part before the hand that counts as a weapon: pistols reach 130 mm beyond the fist's front.</summary>
+        public double MaxWeaponMm { get; set; } = 250;
 
         /// <summary>Where no weapon is seen: from the palm to the muzzle along the arm. 130 mm fits a pistol held in a fist.</summary>
         public double MuzzleBeyondPalmMm { get; set; } = 130;
@@ -94,7 +106,7 @@ namespace LaserTracking.Hands
         {
             Check(NearMm >= 0 && FarMm > NearMm && FarMm <= 20000, "0 <= NearMm < FarMm <= 20000");
             Check(CellRad > 0.0005 && CellRad < 0.1, "CellRad between 0.0005 and 0.1");
-            Check(SurfaceStepMm > 0 && HoleMm >= 0 && ForwardMm > 0 && TorsoHalfWidthMm > 0, "lengths above zero");
+            Check(SurfaceStepMm > 0 && HoleMm >= 0 && ForwardMm > 0 && MinReachMm >= 0 && ForearmRadiusMm >= 0 && TorsoHalfWidthMm > 0, "lengths above zero");
             Check(MinArmAreaMm2 > 0 && MaxArmAreaMm2 > MinArmAreaMm2 && MaxHandAreaMm2 > MinArmAreaMm2, "areas above zero, limits in order");
             Check(HandLengthMm > 0 && ForearmLengthMm > 0 && HandHalfThicknessMm >= 0 && MinHandWidthMm >= 0, "sizes of the hand above zero");
             Check(MuzzleBeyondPalmMm >= 0 && PalmSigmaMm > 0 && MuzzleSigmaMm > 0, "uncertainties above zero");

@@ -14,6 +14,7 @@ namespace LaserTracking.Hands
 
         private const double SlackMm = 1500;
         private const double MinHeightMm = 400;
+        private const double OutstandingMm = 100;
 
         /// <summary>A camera turned up or down by 35°.</summary>
         private const double MaxSlope = 0.7;
@@ -26,6 +27,7 @@ namespace LaserTracking.Hands
         private readonly double[] _columnWeight = new double[ColumnBins];
         private readonly double[] _columnY = new double[ColumnBins];
         private readonly double[] _columnZ = new double[ColumnBins];
+        private readonly double[] _columnLine = new double[ColumnBins];
         private readonly double[] _weight = new double[ColumnBins];
         private readonly double[] _weightedZ = new double[ColumnBins];
         private double _slope;
@@ -46,7 +48,10 @@ namespace LaserTracking.Hands
         /// <summary>Measures one surface, for <see cref="BodyZ"/>.</summary>
         public void Build(DepthGrid grid, ReadOnlySpan<int> cells)
         {
-            MeasureSlope(grid, cells);
+            _slope = 0;
+            MeasureSlope(grid, cells, double.MaxValue);
+            // Once more without what stands out: an arm held before the chest tilts the body.
+            MeasureSlope(grid, cells, OutstandingMm);
             int low = ColumnBins, high = -1;
             Array.Clear(_histogram, 0, _histogram.Length);
             foreach (int cell in cells)
@@ -70,8 +75,15 @@ namespace LaserTracking.Hands
         /// How z grows downwards on a standing body: the camera is seldom level. Least squares within the columns of space, so that
         /// several people at several distances do not look like a slope.
         /// </summary>
-        private void MeasureSlope(DepthGrid grid, ReadOnlySpan<int> cells)
+        private void MeasureSlope(DepthGrid grid, ReadOnlySpan<int> cells, double limitMm)
         {
+            bool isFirst = limitMm == double.MaxValue;
+            if (!isFirst)
+            {
+                for (int column = 0; column < ColumnBins; column++)
+                    _columnLine[column] = (_columnZ[column] - _slope * _columnY[column]) / _columnWeight[column];
+            }
+
             Array.Clear(_columnWeight, 0, ColumnBins);
             Array.Clear(_columnY, 0, ColumnBins);
             Array.Clear(_columnZ, 0, ColumnBins);
@@ -81,6 +93,8 @@ namespace LaserTracking.Hands
                 double z = grid.Z[cell], w = z * z;
                 int row = cell / grid.Width, column = ColumnOf(grid.RayX[cell - row * grid.Width] * z);
                 double y = grid.RayY[row] * z;
+                if (!isFirst && _columnLine[column] + _slope * y - z > limitMm)
+                    continue;
                 _columnWeight[column] += w;
                 _columnY[column] += w * y;
                 _columnZ[column] += w * z;
