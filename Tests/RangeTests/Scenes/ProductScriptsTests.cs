@@ -31,8 +31,9 @@ public sealed class ProductScriptsTests
             Assert.Ignore("the Unity layer is not there yet: " + Relative(name));
         string guid = Regex.Match(File.ReadAllText(script + ".meta"), "^guid: ([0-9a-f]{32})$", RegexOptions.Multiline).Groups[1].Value;
         Assert.That(ProductScripts.ClassByGuid.GetValueOrDefault(guid), Is.EqualTo(name));
-        IEnumerable<string> fields = Regex.Matches(File.ReadAllText(script), @"\[SerializeField[^;{]*?\s(_\w+)\s*(=[^;]*)?;").Select(match => match.Groups[1].Value);
-        Assert.That(fields, Is.EquivalentTo(ProductScripts.FieldsByClass[name]));
+        IEnumerable<string> fields = Regex.Matches(File.ReadAllText(script),
+            @"\[SerializeField\](?:\s*\[(?:""[^""]*""|[^\]""])*\])*\s*private\s[^;=]*?\s(_\w+)\s*[=;]").Select(match => match.Groups[1].Value);
+        Assert.That(fields, Is.EquivalentTo(ProductScripts.FieldsByClass[name].Concat(ProductScripts.EventsByClass.GetValueOrDefault(name, Array.Empty<string>()))));
     }
 
     private static string Relative(string name) => "Packages/com.range.lasertracking/Runtime/Unity/" + name + ".cs";

@@ -125,6 +125,63 @@ public sealed class UnitySceneReaderTests
         Assert.That((rider - new Vector3D(1, 4, 0)).Length, Is.LessThan(1e-5));
     }
 
+    [Test]
+    public void UnitySceneReader_ColliderOnAChild_BelongsToTheTargetAbove()
+    {
+        // The same plate twice: as a turned, scaled child of a turned, scaled parent, and as scenery of its own at that place.
+        var text = new SceneText();
+        const string Position = "{x: 0.5, y: -0.3, z: 6}", Turn = "{x: 0.2588190, y: 0, z: 0, w: 0.9659258}", Even = "{x: 2, y: 2, z: 2}";
+        int disabled = text.Add("Parent", -1, Position, Turn, Even);
+        text.Script(disabled, SceneText.TargetGuid, "  _definition: {fileID: 0}\n  _hit:\n    m_PersistentCalls:\n      m_Calls: []\n", enabled: false);
+        int child = text.Add("Child", disabled, "{x: 0.1, y: 0.2, z: 0}", "{x: 0, y: 0.3826834, z: 0, w: 0.9238795}", "{x: 0.5, y: 1, z: 0.1}");
+        text.Box(child);
+        SceneModel scenery = Read(text);
+        Assert.That(scenery.Objects.Single().Name, Is.EqualTo("Child"), "of a disabled target: scenery");
+
+        string enabled = text.ToString().Replace("m_Enabled: 0", "m_Enabled: 1", StringComparison.Ordinal);
+        File.WriteAllText(_path, enabled);
+        Assert.That(() => UnitySceneReader.Read(_path), Throws.TypeOf<InputException>().With.Message.Contains("\"Parent\", LaserTarget: field _definition is empty"));
+
+        SceneObject plain = scenery.Objects[0];
+        var parent = new SceneObject("Parent", 8, new Pose(new Vector3D(0.5, -0.3, 6), new Rotation3D(0.2588190, 0, 0, 0.9659258)), new Vector3D(2, 2, 2),
+            Rotation3D.Identity, default, new[] { plain.Colliders[0].OnChild(ChildPose(plain), plain.Scale, plain.Layer) }, null);
+        var direct = new AnalyticRaycaster(scenery);
+        var through = new AnalyticRaycaster(new SceneModel("child", Pose.Identity, scenery.ScreenSizeM, scenery.Viewpoint, 1 << 3, new[] { parent }));
+        var random = new Random(2);
+        int hits = 0;
+        for (int i = 0; i < 500; i++)
+        {
+            var ray = new Ray3D(scenery.Viewpoint, new Vector3D(Next(random, 0, 1.4f), Next(random, -1.5f, 1.5f), 11));
+            bool found = direct.TryRaycast(ray, 100, 0, out RaycastHit expected);
+            Assert.That(through.TryRaycast(ray, 100, 0, out RaycastHit actual), Is.EqualTo(found));
+            if (!found)
+                continue;
+            hits++;
+            Assert.That((actual.PointM - expected.PointM).Length, Is.LessThan(1e-9));
+            Assert.That((actual.Normal - expected.Normal).Length, Is.LessThan(1e-9));
+            Assert.That((parent.RestPose.TransformPoint(actual.LocalPointM) - expected.PointM).Length, Is.LessThan(1e-9), "in the parent's axes");
+        }
+
+        Assert.That(hits, Is.InRange(50, 450));
+
+        Pose ChildPose(SceneObject seen)
+        {
+            var above = new Pose(new Vector3D(0.5, -0.3, 6), new Rotation3D(0.2588190, 0, 0, 0.9659258));
+            return new Pose(above.InverseTransformPoint(seen.RestPose.Position), above.Rotation.Inverse * seen.RestPose.Rotation);
+        }
+    }
+
+    [Test]
+    public void UnitySceneReader_ScaledScreen_KeepsItsSizeInMetres()
+    {
+        string text = new SceneText().ToString();
+        int rig = text.IndexOf("m_Name: Rig", StringComparison.Ordinal);
+        File.WriteAllText(_path, text[..rig] + text[rig..].Replace("m_LocalScale: {x: 1, y: 1, z: 1}", "m_LocalScale: {x: 2, y: 2, z: 2}", StringComparison.Ordinal));
+        SceneModel scene = UnitySceneReader.Read(_path);
+        Assert.That(scene.ScreenSizeM, Is.EqualTo(new Vector2D(3.73, 2.26)));
+        Assert.That((scene.Surface.TransformPoint(new Vector3D(1, 0, 0)) - scene.Surface.Position).Length, Is.EqualTo(1).Within(1e-12));
+    }
+
     [TestCase(true, "First,Second,Third")]
     [TestCase(false, "Third,First,Second")]
     public void UnitySceneReader_Roots_ComeInTheirOrder(bool sceneRoots, string expected)

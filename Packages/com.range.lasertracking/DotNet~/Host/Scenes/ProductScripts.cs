@@ -38,12 +38,28 @@ internal static class ProductScripts
         [LaserRange] = new[] { "_screen", "_viewpoint", "_hitLayers", "_source" },
     };
 
+    /// <summary>Further fields by class: who is told of a shot changes nothing about what it meets.</summary>
+    public static readonly IReadOnlyDictionary<string, string[]> EventsByClass = new Dictionary<string, string[]>
+    {
+        [LaserTarget] = new[] { "_hit" },
+        [LaserRange] = new[] { "_shotFired" },
+    };
+
     /// <summary>Fields that every MonoBehaviour and ScriptableObject has.</summary>
-    public static readonly string[] BaseFields =
+    private static readonly string[] BaseFields =
     {
         "m_ObjectHideFlags", "m_CorrespondingSourceObject", "m_PrefabInstance", "m_PrefabAsset", "m_GameObject", "m_Enabled",
         "m_EditorHideFlags", "m_Script", "m_Name", "m_EditorClassIdentifier",
     };
 
     public static readonly string[] ZoneFields = { "name", "points", "shape", "centerM", "sizeM", "cornersM" };
+
+    /// <summary>Fields of the class that may be there or not.</summary>
+    public static IReadOnlyCollection<string> OptionalFields(string className)
+    {
+        var fields = new List<string>(BaseFields);
+        if (EventsByClass.TryGetValue(className, out string[]? events))
+            fields.AddRange(events);
+        return fields;
+    }
 }

@@ -37,7 +37,7 @@ internal sealed class TargetDefinitionReader
         string guid = fields.Reference("m_Script").Guid;
         if (!ProductScripts.ClassByGuid.TryGetValue(guid, out string? name) || name != ProductScripts.TargetDefinitionAsset)
             throw fields.Problem($"its script (guid \"{guid}\") is not TargetDefinitionAsset", "assign a target definition");
-        fields.ExpectExactly(ProductScripts.FieldsByClass[name], ProductScripts.BaseFields);
+        fields.ExpectExactly(ProductScripts.FieldsByClass[name], ProductScripts.OptionalFields(name));
 
         var zones = new List<TargetZone>();
         foreach (UnityFields zone in fields.Items("_zones"))

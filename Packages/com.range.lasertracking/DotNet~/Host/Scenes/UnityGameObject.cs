@@ -67,19 +67,22 @@ internal sealed class UnityGameObject
 
     public List<UnityComponent> Components { get; } = new();
 
-    /// <summary>The active component of the class on this object; null when there is none. Refuses two.</summary>
-    public UnityComponent? Enabled(string script)
+    /// <summary>The component of the class on this object, enabled or not; null when there is none. Refuses two.</summary>
+    public UnityComponent? Component(string script)
     {
         UnityComponent? found = null;
         foreach (UnityComponent component in Components)
         {
-            if (component.Script != script || !component.Fields.Flag("m_Enabled"))
-                continue;
-            found = found == null ? component : throw Fields.Problem($"has two {script} components", "remove one");
+            if (component.Script == script)
+                found = found == null ? component : throw Fields.Problem($"has two {script} components", "remove one");
         }
 
         return found;
     }
+
+    /// <summary>The same when it is enabled, otherwise null.</summary>
+    public UnityComponent? Enabled(string script) =>
+        Component(script) is { } component && component.Fields.Flag("m_Enabled") ? component : null;
 
     // Rᵀ S R is the parent's scale seen along the child's axes; whatever is beside its diagonal is shear.
     private static Vector3D Turned(Vector3D scale, Rotation3D rotation, out bool sheared)

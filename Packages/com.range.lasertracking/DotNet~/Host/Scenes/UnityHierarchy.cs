@@ -145,7 +145,7 @@ internal sealed class UnityHierarchy
             fields.Named($"object \"{owner.Path}\", {name}");
             if (name == ProductScripts.TargetDefinitionAsset)
                 throw fields.Problem("is an asset, not a component");
-            fields.ExpectExactly(ProductScripts.FieldsByClass[name], ProductScripts.BaseFields);
+            fields.ExpectExactly(ProductScripts.FieldsByClass[name], ProductScripts.OptionalFields(name));
             return name;
         }
 

@@ -105,6 +105,6 @@ namespace LaserTracking.Scoring
         }
 
         private static bool TakesPart(SceneObject owner, SceneCollider collider, int layerMask, bool triggers) =>
-            (layerMask & 1 << owner.Layer) != 0 && (triggers || !collider.IsTrigger);
+            (layerMask & 1 << (collider.IsOnChild ? collider.ChildLayer : owner.Layer)) != 0 && (triggers || !collider.IsTrigger);
     }
 }

@@ -17,10 +17,15 @@ namespace LaserTracking.Scoring
         private readonly double _radius;
         private readonly double _halfSegment;
         private readonly int _axis;
+        private readonly bool _isOnChild;
+        private readonly Pose _child;
 
-        public ScaledCollider(in SceneCollider collider, Vector3D scale, int objectIndex)
+        public ScaledCollider(in SceneCollider collider, Vector3D objectScale, int objectIndex)
         {
             ObjectIndex = objectIndex;
+            _isOnChild = collider.IsOnChild;
+            _child = collider.ChildPose;
+            Vector3D scale = _isOnChild ? collider.ChildScale : objectScale;
             _shape = collider.Shape;
             _axis = collider.Axis;
             _center = Vector3D.Scale(collider.Center, scale);
@@ -49,6 +54,15 @@ namespace LaserTracking.Scoring
 
         /// <summary>True when the ray enters from outside at a distance above zero; the direction is a unit vector.</summary>
         public bool TryRaycast(Vector3D origin, Vector3D direction, out double distance, out Vector3D normal)
+        {
+            if (!_isOnChild)
+                return TryRaycastOwn(origin, direction, out distance, out normal);
+            bool found = TryRaycastOwn(_child.InverseTransformPoint(origin), _child.InverseTransformDirection(direction), out distance, out normal);
+            normal = _child.TransformDirection(normal);
+            return found;
+        }
+
+        private bool TryRaycastOwn(Vector3D origin, Vector3D direction, out double distance, out Vector3D normal)
         {
             Vector3D from = origin - _center;
             switch (_shape)

@@ -6,6 +6,7 @@ namespace LaserTracking.Scoring
     public readonly struct SceneCollider
     {
         private SceneCollider(ColliderShape shape, Vector3D center, Vector3D size, double radius, double height, int axis, bool isTrigger)
+            : this()
         {
             Shape = shape;
             Center = center;
@@ -14,6 +15,15 @@ namespace LaserTracking.Scoring
             Height = height;
             Axis = axis;
             IsTrigger = isTrigger;
+        }
+
+        private SceneCollider(in SceneCollider own, Pose childPose, Vector3D childScale, int childLayer)
+        {
+            this = own;
+            IsOnChild = true;
+            ChildPose = childPose;
+            ChildScale = childScale;
+            ChildLayer = childLayer;
         }
 
         public ColliderShape Shape { get; }
@@ -33,6 +43,17 @@ namespace LaserTracking.Scoring
 
         public bool IsTrigger { get; }
 
+        /// <summary>True when it sits on a child of the object; then the child's pose, scale and layer count, not the object's.</summary>
+        public bool IsOnChild { get; }
+
+        /// <summary>The child in the object's axes and in metres: the object's scale is already in it.</summary>
+        public Pose ChildPose { get; }
+
+        /// <summary>World scale along the child's axes.</summary>
+        public Vector3D ChildScale { get; }
+
+        public int ChildLayer { get; }
+
         public static SceneCollider Box(Vector3D center, Vector3D size, bool isTrigger = false) =>
             new SceneCollider(ColliderShape.Box, center, size, 0, 0, 0, isTrigger);
 
@@ -43,5 +64,9 @@ namespace LaserTracking.Scoring
             new SceneCollider(ColliderShape.Capsule, center, default, radius, height, axis, isTrigger);
 
         public static SceneCollider Quad() => new SceneCollider(ColliderShape.Quad, default, default, 0, 0, 0, false);
+
+        /// <summary>The same collider on a child that stays where it is in the object's axes.</summary>
+        public SceneCollider OnChild(Pose childPose, Vector3D childScale, int childLayer) =>
+            new SceneCollider(this, childPose, childScale, childLayer);
     }
 }
