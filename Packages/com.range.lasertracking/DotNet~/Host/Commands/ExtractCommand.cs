@@ -29,7 +29,7 @@ namespace LaserTracking.Host.Commands
                 Console.WriteLine(result.ToString());
                 foreach (var problem in recording.Problems)
                     Console.Error.WriteLine($"range: {parsed.GetValue(input)}: {problem.What}");
-                return Task.FromResult(ExitCodes.Done);
+                return Task.FromResult(result.WasCancelled ? ExitCodes.Interrupted : ExitCodes.Done);
             });
             return command;
         }
