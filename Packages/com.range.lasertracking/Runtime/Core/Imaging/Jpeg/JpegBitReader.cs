@@ -42,6 +42,7 @@ namespace LaserTracking.Imaging
         /// <param name="quantisation">64 factors in zigzag order.</param>
         /// <param name="prediction">The component's last DC value; updated.</param>
         /// <param name="block">64 coefficients.</param>
+        [MethodImpl(JitOptions.OptimizeAtOnce)]
         public int DecodeBlock(JpegHuffmanTable dc, JpegHuffmanTable ac, ushort* quantisation, ref int prediction, short* block)
         {
             byte* next = _next;

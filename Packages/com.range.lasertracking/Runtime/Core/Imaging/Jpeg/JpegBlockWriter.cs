@@ -1,5 +1,5 @@
-#if NET8_0_OR_GREATER
 using System.Runtime.CompilerServices;
+#if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
 #endif
 
@@ -12,6 +12,7 @@ namespace LaserTracking.Imaging
     internal static unsafe class JpegBlockWriter
     {
         /// <summary>Two blocks of luma side by side and one of each chroma, 16×8 pixels, to rows of Y0 U Y1 V.</summary>
+        [MethodImpl(JitOptions.OptimizeAtOnce)]
         public static void WriteYuy2(byte* luma, byte* u, byte* v, byte* target, int stride)
         {
 #if NET8_0_OR_GREATER
@@ -47,6 +48,7 @@ namespace LaserTracking.Imaging
         }
 
         /// <summary>Blocks Y Y Y Y U V of 16×16 pixels to 16 rows of luma and 8 rows of interleaved U V.</summary>
+        [MethodImpl(JitOptions.OptimizeAtOnce)]
         public static void WriteNv12(byte* blocks, byte* luma, byte* chroma, int stride)
         {
             for (int y = 0; y < 16; y++, luma += stride)
@@ -74,6 +76,7 @@ namespace LaserTracking.Imaging
             }
         }
 
+        [MethodImpl(JitOptions.OptimizeAtOnce)]
         public static void WriteGray(byte* blocks, byte* target, int stride)
         {
             for (int y = 0; y < 8; y++, target += stride)
@@ -90,6 +93,7 @@ namespace LaserTracking.Imaging
         /// <param name="stride">Bytes from row to row.</param>
         /// <param name="width">Pixels of the unit inside the picture, 1…32.</param>
         /// <param name="height">Rows of the unit inside the picture.</param>
+        [MethodImpl(JitOptions.OptimizeAtOnce)]
         public static void WriteBgra(JpegFrameHeader frame, byte* blocks, byte* target, int stride, int width, int height)
         {
             int* columns = stackalloc int[3 * 32];

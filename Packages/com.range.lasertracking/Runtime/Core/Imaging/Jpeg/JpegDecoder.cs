@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace LaserTracking.Imaging
 {
@@ -9,6 +10,10 @@ namespace LaserTracking.Imaging
     /// Huffman tables may be missing (the standard ones are meant). Any damage refuses the picture: half a picture would look
     /// like motion. Not thread-safe; allocates nothing once warm.
     /// </summary>
+    /// <remarks>
+    /// The inner methods are compiled with full optimisation at once: a recording of seconds would be over before .NET had
+    /// improved them step by step.
+    /// </remarks>
     public sealed unsafe class JpegDecoder
     {
         private readonly JpegFrameHeader _header = new JpegFrameHeader();
@@ -91,6 +96,7 @@ namespace LaserTracking.Imaging
             }
         }
 
+        [MethodImpl(JitOptions.OptimizeAtOnce)]
         private bool TryDecodeUnits(ReadOnlySpan<byte> jpeg, Image target, int unitsAcross, int unitCount, out string problem)
         {
             byte* samples = stackalloc byte[10 * 64];
@@ -155,6 +161,7 @@ namespace LaserTracking.Imaging
             return true;
         }
 
+        [MethodImpl(JitOptions.OptimizeAtOnce)]
         private bool TryDecodeBlocks(ref JpegBitReader reader, int* predictions, byte* samples)
         {
             short* coefficients = stackalloc short[64];
@@ -185,6 +192,7 @@ namespace LaserTracking.Imaging
             return true;
         }
 
+        [MethodImpl(JitOptions.OptimizeAtOnce)]
         private void Write(Image target, byte* samples, int unitX, int unitY)
         {
             int unitWidth = 8 * _header.MaxHorizontal;

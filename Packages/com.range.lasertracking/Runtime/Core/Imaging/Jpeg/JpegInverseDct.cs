@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LaserTracking.Imaging
 {
     /// <summary>
@@ -43,6 +45,7 @@ namespace LaserTracking.Imaging
         }
 
         /// <summary>A block that is only its mean.</summary>
+        [MethodImpl(JitOptions.OptimizeAtOnce)]
         public static void TransformDcOnly(int dc, byte* samples)
         {
             int value = Clamp((((dc << PassBits) + (1 << (PassBits + 2))) >> (PassBits + 3)) + 128);
@@ -52,6 +55,7 @@ namespace LaserTracking.Imaging
                 rows[y] = eight;
         }
 
+        [MethodImpl(JitOptions.OptimizeAtOnce)]
         public static void TransformScalar(short* coefficients, byte* samples)
         {
             int* workspace = stackalloc int[64];

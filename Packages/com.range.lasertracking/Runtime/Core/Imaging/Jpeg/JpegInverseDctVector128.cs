@@ -11,6 +11,7 @@ namespace LaserTracking.Imaging
     {
         public static bool IsSupported => Sse41.IsSupported || AdvSimd.Arm64.IsSupported;
 
+        [MethodImpl(JitOptions.OptimizeAtOnce)]
         public static void Transform(short* coefficients, byte* samples)
         {
             // Columns to rows: each half of the columns, transposed, is the left or right half of what the second pass works on.

@@ -10,6 +10,7 @@ namespace LaserTracking.Imaging
     {
         public static bool IsSupported => Avx2.IsSupported;
 
+        [MethodImpl(JitOptions.OptimizeAtOnce)]
         public static void Transform(short* coefficients, byte* samples)
         {
             Vector256<int> r0 = Avx2.ConvertToVector256Int32(coefficients);
