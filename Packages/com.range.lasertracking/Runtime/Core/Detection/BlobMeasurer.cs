@@ -6,13 +6,17 @@ namespace LaserTracking.Detection
     internal sealed unsafe class BlobMeasurer
     {
         private int[] _stamps = Array.Empty<int>();
+        private int[] _tested = Array.Empty<int>();
         private int[] _stack = Array.Empty<int>();
         private int _stamp;
+        private int _serial;
 
         /// <summary>Makes room for a picture of this many pixels.</summary>
         public void Resize(int pixels, int maxArea)
         {
             _stamps = new int[pixels];
+            _tested = new int[pixels];
+            _serial = 0;
             _stack = new int[maxArea + 1];
             _stamp = 0;
         }
@@ -20,10 +24,11 @@ namespace LaserTracking.Detection
         /// <summary>Forgets which pixels are taken.</summary>
         public void Begin()
         {
-            if (_stamp == int.MaxValue)
+            if (_stamp > int.MaxValue - 2 || _serial > int.MaxValue - 1_000_000)
             {
                 Array.Clear(_stamps, 0, _stamps.Length);
-                _stamp = 0;
+                Array.Clear(_tested, 0, _tested.Length);
+                _stamp = _serial = 0;
             }
 
             _stamp++;
@@ -39,6 +44,10 @@ namespace LaserTracking.Detection
             int maxArea = _stack.Length - 1;
             int seed = candidate.SeedY * width + candidate.SeedX;
             int count = 0;
+
+            // Every pixel is looked at once a candidate, also those that turn out too low.
+            int serial = ++_serial;
+            _tested[seed] = serial;
             _stack[count++] = seed;
             _stamps[seed] = _stamp;
             candidate.Left = candidate.Right = candidate.SeedX;
@@ -63,6 +72,9 @@ namespace LaserTracking.Detection
                 {
                     for (int n = ny * width + x0; n <= ny * width + x1; n++)
                     {
+                        if (_tested[n] == serial)
+                            continue;
+                        _tested[n] = serial;
                         if (_stamps[n] == _stamp || count > maxArea || view.RelativeRise(n, candidate.Plane) < threshold)
                             continue;
                         _stamps[n] = _stamp;

@@ -5,6 +5,9 @@ namespace LaserTracking.Detection
     /// <summary>Puts a candidate through the tests, cheap ones first; the first one failed is the reason of its rejection.</summary>
     internal sealed class CandidateJudge
     {
+        /// <summary>A long streak through the middle takes two of the eight.</summary>
+        private const double MaxSpokeShare = 0.25;
+
         private readonly ShotDetectorSettings _settings;
         private readonly BlobMeasurer _blobs;
 
@@ -36,6 +39,11 @@ namespace LaserTracking.Detection
                 return;
             double rise = candidate.PeakRelativeRise / 255.0;
             if (Fails(ref candidate, rise < _settings.MinRise, RejectionReason.TooFaint, rise, _settings.MinRise))
+                return;
+
+            // Eight looks at the distance no dot reaches spare the growing of most moving things.
+            double around = SurroundingsMeasurer.SpokeShare(view, candidate, (int)Math.Ceiling(1.5 * Math.Sqrt(_settings.MaxAreaPx * area / Math.PI)));
+            if (Fails(ref candidate, around > MaxSpokeShare, RejectionReason.NotIsolated, around, MaxSpokeShare))
                 return;
             _blobs.Grow(view, ref candidate);
             if (Fails(ref candidate, candidate.Area > _settings.MaxAreaPx * area, RejectionReason.TooLarge, candidate.Area / area, _settings.MaxAreaPx)

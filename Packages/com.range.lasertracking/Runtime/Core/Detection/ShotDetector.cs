@@ -25,6 +25,7 @@ namespace LaserTracking.Detection
         private readonly Candidate[] _candidates;
         private readonly Candidate[] _seeds;
         private readonly int[] _seedOrder;
+        private readonly byte[] _rises;
         private int _candidateCount;
         private bool _isSmooth;
 
@@ -38,6 +39,7 @@ namespace LaserTracking.Detection
             _candidates = new Candidate[4 * _settings.MaxCandidates];
             _seeds = new Candidate[_settings.MaxCandidates];
             _seedOrder = new int[_settings.MaxCandidates];
+            _rises = new byte[_settings.MaxCandidates * TileGrid.Size * TileGrid.Size];
             for (int headroom = 0; headroom < 256; headroom++)
                 _reciprocal[headroom] = 255 * 256 / (headroom + 8);
         }
@@ -131,10 +133,12 @@ namespace LaserTracking.Detection
             detections.Skip(tiles.HotCount - hot.Length);
             for (int round = 0; round < 2; round++)
             {
-                int seeds = 0;
+                int seeds = 0, slot = 0;
                 foreach (int tile in hot)
                 {
-                    if (!TrySeed(view, plane, tile % tiles.Columns, tile / tiles.Columns, out Candidate candidate))
+                    if (round == 0)
+                        FillTile(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot);
+                    if (!TrySeed(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot++, out Candidate candidate))
                         continue;
                     candidate.Activity = tiles.Activity(tile);
                     _seeds[seeds] = candidate;
@@ -154,24 +158,36 @@ namespace LaserTracking.Detection
             }
         }
 
+        /// <summary>Keeps the tile's relative rises: both rounds look for their highest.</summary>
+        private void FillTile(in FrameView view, DetectionPlane plane, int tileX, int tileY, int slot)
+        {
+            int x0 = tileX * TileGrid.Size, x1 = Math.Min(view.Width, x0 + TileGrid.Size);
+            int y0 = tileY * TileGrid.Size, y1 = Math.Min(view.Height, y0 + TileGrid.Size);
+            for (int y = y0; y < y1; y++)
+            {
+                int target = (slot * TileGrid.Size + y - y0) * TileGrid.Size;
+                for (int x = x0; x < x1; x++)
+                    _rises[target++] = (byte)view.RelativeRise(y * view.Width + x, plane);
+            }
+        }
+
         /// <summary>The highest relative rise in the tile that no candidate of this plane, and no dot found already, has taken.</summary>
-        private bool TrySeed(in FrameView view, DetectionPlane plane, int tileX, int tileY, out Candidate candidate)
+        private bool TrySeed(in FrameView view, DetectionPlane plane, int tileX, int tileY, int slot, out Candidate candidate)
         {
             int best = 0, bestX = -1, bestY = -1;
             int x0 = tileX * TileGrid.Size, x1 = Math.Min(view.Width, x0 + TileGrid.Size);
             int y0 = tileY * TileGrid.Size, y1 = Math.Min(view.Height, y0 + TileGrid.Size);
             for (int y = y0; y < y1; y++)
             {
+                int source = (slot * TileGrid.Size + y - y0) * TileGrid.Size;
                 for (int x = x0; x < x1; x++)
                 {
-                    int i = y * view.Width + x;
-                    int rise = view.RelativeRise(i, plane);
-                    if (rise > best && !_blobs.IsTaken(i) && !_memory.IsLit(x, y))
-                    {
-                        best = rise;
-                        bestX = x;
-                        bestY = y;
-                    }
+                    int rise = _rises[source++];
+                    if (rise <= best || _blobs.IsTaken(y * view.Width + x) || _memory.IsLit(x, y))
+                        continue;
+                    best = rise;
+                    bestX = x;
+                    bestY = y;
                 }
             }
 

@@ -5,6 +5,26 @@ namespace LaserTracking.Detection
     /// <summary>Looks at what happens around a candidate: whether it is alone, whether its neighbourhood is at rest, what colour rose.</summary>
     internal static unsafe class SurroundingsMeasurer
     {
+        /// <summary>Share of eight pixels all around at this distance that rose at least half as far. What lies outside the picture has not.</summary>
+        public static double SpokeShare(in FrameView view, in Candidate candidate, int distance)
+        {
+            int threshold = Math.Max(1, (candidate.PeakRelativeRise + 1) / 2);
+            int risen = 0;
+            for (int dy = -1; dy <= 1; dy++)
+            {
+                for (int dx = -1; dx <= 1; dx++)
+                {
+                    int reach = dx != 0 && dy != 0 ? distance * 7 / 10 + 1 : distance;
+                    int x = candidate.SeedX + dx * reach, y = candidate.SeedY + dy * reach;
+                    if ((dx != 0 || dy != 0) && x >= 0 && y >= 0 && x < view.Width && y < view.Height
+                        && view.RelativeRise(y * view.Width + x, candidate.Plane) >= threshold)
+                        risen++;
+                }
+            }
+
+            return risen / 8.0;
+        }
+
         /// <summary>Share of the ring around the box in which the rise is at least half the candidate's own.</summary>
         public static void Ring(in FrameView view, ref Candidate candidate, double noise)
         {

@@ -25,6 +25,38 @@ namespace LaserTracking.Detection
             return x;
         }
 
+        /// <summary>Whole blocks of 8 result pixels; returns how many are done.</summary>
+        private static int HalveYuy2Vector(byte* row0, byte* row1, int width, uint* target)
+        {
+            if (!Avx2.IsSupported)
+                return 0;
+            int half = width / 2;
+            int x = 0;
+            for (; x + 8 <= half; x += 8)
+                Avx.Store((byte*)(target + x), Avx2.Max(PairsToBgra(row0 + 4 * x), PairsToBgra(row1 + 4 * x)));
+            return x;
+        }
+
+        /// <summary>Eight groups Y0 U Y1 V to eight pixels of the larger luma: 32-bit lanes, chroma as pairs of 16 bits.</summary>
+        private static Vector256<byte> PairsToBgra(byte* source)
+        {
+            Vector256<ushort> groups = Avx.LoadVector256(source).AsUInt16();
+            Vector256<int> first = (groups & Vector256.Create((ushort)0xFF)).AsInt32();
+            Vector256<int> luma = Avx2.Max(first.AsInt16(), Avx2.ShiftRightLogical(first, 16).AsInt16()).AsInt32() & Vector256.Create(0xFF);
+            Vector256<short> chroma = Avx2.ShiftRightLogical(groups, 8).AsInt16() - Vector256.Create((short)128);
+            Vector256<int> blue = Channel(luma, chroma, 113, 0);
+            Vector256<int> green = Channel(luma, chroma, -22, -46);
+            Vector256<int> red = Channel(luma, chroma, 0, 90);
+            return (blue | Avx2.ShiftLeftLogical(green, 8) | Avx2.ShiftLeftLogical(red, 16) | Vector256.Create(unchecked((int)0xFF000000))).AsByte();
+        }
+
+        private static Vector256<int> Channel(Vector256<int> luma, Vector256<short> chroma, short u, short v)
+        {
+            Vector256<short> weights = Vector256.Create((int)(ushort)u | v << 16).AsInt16();
+            Vector256<int> offset = Avx2.ShiftRightArithmetic(Avx2.MultiplyAddAdjacent(chroma, weights) + Vector256.Create(32), 6);
+            return Avx2.Min(Avx2.Max(luma + offset, Vector256<int>.Zero), Vector256.Create(255));
+        }
+
         /// <summary>Whole blocks of 16 result pixels; returns how many are done.</summary>
         private static int HalveNv12Vector(byte* row0, byte* row1, byte* chroma, int width, uint* target)
         {

@@ -56,7 +56,14 @@ namespace LaserTracking.Detection
                     if (factor == 1)
                         Yuy2(row0, width, target);
                     else
-                        HalveYuy2(row0, row1, width, target);
+                    {
+#if NET8_0_OR_GREATER
+                        if (useVectors)
+                            done = HalveYuy2Vector(row0, row1, width, target);
+#endif
+                        HalveYuy2(row0, row1, width, done, target);
+                    }
+
                     break;
                 default:
                     if (factor == 1)
@@ -116,9 +123,11 @@ namespace LaserTracking.Detection
             }
         }
 
-        private static void HalveYuy2(byte* row0, byte* row1, int width, uint* target)
+        private static void HalveYuy2(byte* row0, byte* row1, int width, int start, uint* target)
         {
-            for (int x = 0; x < width / 2; x++, row0 += 4, row1 += 4)
+            row0 += 4 * start;
+            row1 += 4 * start;
+            for (int x = start; x < width / 2; x++, row0 += 4, row1 += 4)
             {
                 uint a = PixelRow.FromYuv(row0[0] > row0[2] ? row0[0] : row0[2], row0[1], row0[3]);
                 uint b = PixelRow.FromYuv(row1[0] > row1[2] ? row1[0] : row1[2], row1[1], row1[3]);
