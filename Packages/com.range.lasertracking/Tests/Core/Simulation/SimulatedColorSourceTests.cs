@@ -219,6 +219,21 @@ namespace LaserTracking.Simulation
         }
 
         [Test]
+        public void SimulatedColorSource_Jpeg_LosesALittle()
+        {
+            SimulationScenario scenario = SimulationExamples.Small();
+            scenario.ColorCamera.Format = PixelFormat.Nv12;
+            byte[] raw = SimulationExamples.ColorFrame(new SimulatedRange(scenario, SimulationScenes.Default()), 0);
+            scenario.ColorCamera.JpegQuality = 75;
+            byte[] compressed = SimulationExamples.ColorFrame(new SimulatedRange(scenario, SimulationScenes.Default()), 0);
+            Assert.That(compressed.Length, Is.EqualTo(raw.Length));
+            double squares = 0;
+            for (int i = 0; i < 320 * 180; i++)
+                squares += (raw[i] - compressed[i]) * (raw[i] - compressed[i]);
+            Assert.That(Math.Sqrt(squares / (320 * 180)), Is.InRange(0.3, 5));
+        }
+
+        [Test]
         public void SimulatedColorSource_ShotNoise_HasTheSensorsStandardDeviation()
         {
             SimulationScenario scenario = SimulationExamples.Linear(1.3);

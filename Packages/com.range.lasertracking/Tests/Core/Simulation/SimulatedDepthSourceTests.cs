@@ -88,11 +88,16 @@ namespace LaserTracking.Simulation
             SimulationScenario scenario = SimulationExamples.Small(0.2);
             scenario.DepthCamera.LostPalmShare = 1;
             scenario.DepthCamera.EdgeHoleShare = scenario.DepthCamera.RandomHoleShare = 0;
+            // Pointing up, so that the forearm is not hidden behind the hand.
+            scenario.Shots.Add(new ShotSettings { TimeS = 0.1, PulseMs = 90, ScreenM = new Vector2D(1.6, 0.2) });
             var range = new SimulatedRange(scenario, SimulationExamples.EmptyScene());
             using IFrameSource source = range.CreateDepthSource();
             using var frame = new Frame();
-            source.TryRead(frame);
-            TrueHand hand = range.Truth.HandAt(1, range.Truth.DepthFrameTimeUs(0));
+            while (frame.Index < 4 && source.TryRead(frame))
+            {
+            }
+
+            TrueHand hand = range.Truth.HandAt(1, range.Truth.DepthFrameTimeUs(4));
             Assert.That(At(frame, range.Calibration.HandCamera!, hand.PalmM, out _), Is.Zero);
             Assert.That(At(frame, range.Calibration.HandCamera!, (hand.ElbowM + hand.WristM) * 0.5, out _), Is.GreaterThan(0));
         }

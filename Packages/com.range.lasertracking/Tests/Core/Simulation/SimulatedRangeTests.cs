@@ -74,6 +74,7 @@ namespace LaserTracking.Simulation
             {
                 SimulationScenario scenario = BusyScenario();
                 scenario.ColorCamera.Format = format;
+                scenario.ColorCamera.JpegQuality = format == PixelFormat.Yuy2 ? 85 : 0;
                 var range = new SimulatedRange(scenario, SimulationScenes.Default());
                 Assert.That(AllocatedAfterWarmUp(range.CreateColorSource()), Is.Zero, format.ToString());
                 Assert.That(AllocatedAfterWarmUp(range.CreateDepthSource()), Is.Zero);

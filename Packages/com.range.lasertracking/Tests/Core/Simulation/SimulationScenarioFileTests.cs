@@ -69,6 +69,7 @@ namespace LaserTracking.Simulation
         [TestCase("{ \"color_camera\": {\n \"format\": \"1\" } }", "line 2: color_camera.format is \"1\"; give one of")]
         [TestCase("{ \"color_camera\": {\n \"position_m\": [1, 2] } }", "line 2: color_camera.position_m is array; give a list of 3 numbers")]
         [TestCase("{ \"color_camera\": {\n \"position_m\": [1, 2, 3] } }", "line 2: color_camera.position_m is not in front of the screen")]
+        [TestCase("{ \"color_camera\": {\n \"jpeg_quality\": 80 } }", "line 2: color_camera.jpeg_quality needs a YUV format")]
         [TestCase("{ \"color_camera\": [1] }", "line 1: color_camera is array; give an object")]
         [TestCase("{ \"depth_camera\": {\n \"enabled\": 1 } }", "line 2: depth_camera.enabled is 1; give true or false")]
         [TestCase("{ \"shooters\": {} }", "line 1: shooters is object; give a list")]

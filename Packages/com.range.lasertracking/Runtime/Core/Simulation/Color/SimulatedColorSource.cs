@@ -14,6 +14,9 @@ namespace LaserTracking.Simulation
         private readonly LaserPainter _lasers;
         private readonly SensorModel _sensor;
         private readonly byte[] _rows;
+        private readonly JpegEncoder? _encoder;
+        private readonly JpegDecoder? _decoder;
+        private readonly Image _raw = new Image();
         private int _next;
 
         public SimulatedColorSource(SimulationScenario scenario, LightSampler light, CameraScene scene, LaserPainter lasers, SensorModel sensor)
@@ -25,6 +28,12 @@ namespace LaserTracking.Simulation
             _sensor = sensor;
             ColorCameraSettings camera = scenario.ColorCamera;
             _rows = new byte[camera.Width * 8];
+            if (camera.JpegQuality > 0)
+            {
+                _encoder = new JpegEncoder(camera.JpegQuality);
+                _decoder = new JpegDecoder();
+            }
+
             Info = new FrameSourceInfo(scenario.Name + " (simulation, seed " + scenario.Seed + ")", camera.Width, camera.Height,
                 camera.FramesPerSecond, (long)(scenario.DurationS * 1e6));
         }
@@ -40,17 +49,24 @@ namespace LaserTracking.Simulation
             int index = _next++;
             ColorCameraSettings camera = _scenario.ColorCamera;
             frame.Begin(index, _light.Timing.ClockUs(index));
-            frame.Color.Reset(camera.Format, camera.Width, camera.Height, frame.TimeUs);
+            Image image = _encoder == null ? frame.Color : _raw;
+            image.Reset(camera.Format, camera.Width, camera.Height, frame.TimeUs);
             _scene.Prepare(index);
             _lasers.Paint(index, _scene);
             uint key = (uint)CounterRandom.Hash(_scenario.Seed, RandomStream.ColorNoise, _light.Timing.Exposure(index));
             fixed (ushort* signals = _scene.Signals, flickering = _scene.Flickering)
             fixed (byte* rows = _rows)
-                Develop(frame.Color, index, key, signals, flickering, rows);
+                Develop(image, index, key, signals, flickering, rows);
+            if (_encoder != null && !_decoder!.TryDecode(_encoder.Encode(image), frame.Color, frame.TimeUs, out string problem))
+                throw new InvalidOperationException("a JPEG of our own making cannot be read: " + problem);
             return true;
         }
 
-        public void Dispose() => _scene.Dispose();
+        public void Dispose()
+        {
+            _scene.Dispose();
+            _raw.Dispose();
+        }
 
         private void Develop(Image image, int frame, uint key, ushort* signals, ushort* flickering, byte* rows)
         {

@@ -21,9 +21,10 @@ namespace LaserTracking.Simulation
             TrueHand hand = body.Weapon;
             Vector3D trunk = (body.NeckM + body.HipM) * 0.5, up = (body.NeckM - body.HipM).Normalized;
             double half = (body.NeckM - body.HipM).Length / 2 + 0.08;
-            Vector3D deep = Vector3D.Cross(x, up);
+            Vector3D across = (body.ShoulderAxis - up * Vector3D.Dot(body.ShoulderAxis, up)).Normalized;
+            Vector3D deep = Vector3D.Cross(across, up);
             int n = 0;
-            solids[n++] = Ellipsoid(camera, trunk, x * 0.215, up * half, deep * 0.13, 0);
+            solids[n++] = Ellipsoid(camera, trunk, across * 0.215, up * half, deep * 0.13, 0);
             solids[n++] = Ellipsoid(camera, body.HeadM, x * 0.078, y * 0.12, z * 0.1, 0);
             solids[n++] = Capsule(camera, body.SupportShoulderM, hand.ShoulderM, 0.055);
             solids[n++] = Capsule(camera, hand.ShoulderM, hand.ElbowM, 0.05);

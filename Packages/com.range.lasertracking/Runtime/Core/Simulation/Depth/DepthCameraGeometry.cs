@@ -21,6 +21,7 @@ namespace LaserTracking.Simulation
             var intrinsics = new PinholeCamera(TypicalFocalPx / divisor, TypicalFocalPx / divisor, (Width - 1) / 2.0, (Height - 1) / 2.0, Width, Height);
             HandCamera = new HandCamera(intrinsics, pose);
             FloorM = floor;
+            CeilingM = floor - room.CeilingM;
             BackWallM = room.BackWallM;
         }
 
@@ -32,7 +33,11 @@ namespace LaserTracking.Simulation
 
         public double FarMm { get; }
 
+        /// <summary>Height of the floor in screen space (y down).</summary>
         public double FloorM { get; }
+
+        /// <summary>Height of the ceiling in screen space (y down).</summary>
+        public double CeilingM { get; }
 
         public double BackWallM { get; }
 

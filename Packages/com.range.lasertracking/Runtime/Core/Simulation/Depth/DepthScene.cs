@@ -147,10 +147,13 @@ namespace LaserTracking.Simulation
             Vector3D ray = camera.PoseInScreenMm.TransformDirection(new Vector3D(x, y, 1));
             double nearest = Nothing;
             double wall = (-_geometry.BackWallM - origin.Z) / ray.Z, floor = (_geometry.FloorM - origin.Y) / ray.Y;
+            double ceiling = (_geometry.CeilingM - origin.Y) / ray.Y;
             if (wall > 0)
                 nearest = Math.Min(nearest, wall * 1000);
             if (floor > 0)
                 nearest = Math.Min(nearest, floor * 1000);
+            if (ceiling > 0)
+                nearest = Math.Min(nearest, ceiling * 1000);
             return (float)nearest;
         }
     }

@@ -43,6 +43,9 @@ namespace LaserTracking.Simulation
         /// <summary>Bgra32, Nv12 or Yuy2.</summary>
         public PixelFormat Format { get; set; } = PixelFormat.Bgra32;
 
+        /// <summary>Pictures pass through JPEG of this quality (1…100), as from most webcams; 0 = they do not. Nv12 or Yuy2 only.</summary>
+        public int JpegQuality { get; set; }
+
         /// <summary>The device's clock minus true time, µs.</summary>
         public double ClockOffsetUs { get; set; }
 
@@ -76,6 +79,7 @@ namespace LaserTracking.Simulation
             Vignetting = v.Number("vignetting", Vignetting, 0, 0.9);
             RollingShutterRowUs = v.Number("rolling_shutter_row_us", RollingShutterRowUs, 0, 100);
             Format = v.Choice("format", Format);
+            JpegQuality = v.Integer("jpeg_quality", JpegQuality, 0, 100);
             ClockOffsetUs = v.Number("clock_offset_us", ClockOffsetUs, -1e12, 1e12);
             DroppedShare = v.Number("dropped_share", DroppedShare, 0, 0.95);
             PositionM = v.Point("position_m", PositionM, 100);
@@ -90,6 +94,8 @@ namespace LaserTracking.Simulation
                 v.Refuse("exposure_us", "is longer than a frame", "give at most 1000000 / frames_per_second");
             if (Format != PixelFormat.Bgra32 && Format != PixelFormat.Nv12 && Format != PixelFormat.Yuy2)
                 v.Refuse("format", "is no colour format", "give one of bgra32, nv12, yuy2");
+            if (JpegQuality > 0 && Format == PixelFormat.Bgra32)
+                v.Refuse("jpeg_quality", "needs a YUV format", "set format to nv12 or yuy2");
             if (PositionM is Vector3D position && position.Z > -0.2)
                 v.Refuse("position_m", "is not in front of the screen", "give a third number below -0.2");
         }

@@ -16,7 +16,10 @@ namespace LaserTracking.Simulation
         public double FloorBelowScreenM { get; set; } = 0.5;
 
         /// <summary>From the screen to the wall behind the trainees, m.</summary>
-        public double BackWallM { get; set; } = 3.4;
+        public double BackWallM { get; set; } = 3.2;
+
+        /// <summary>From the floor to the ceiling, m.</summary>
+        public double CeilingM { get; set; } = 2.7;
 
         internal void Visit(ScenarioVisitor v)
         {
@@ -25,6 +28,7 @@ namespace LaserTracking.Simulation
             FlickerHz = v.Number("flicker_hz", FlickerHz, 1, 1000);
             FloorBelowScreenM = v.Number("floor_below_screen_m", FloorBelowScreenM, -2, 5);
             BackWallM = v.Number("back_wall_m", BackWallM, 0.5, 50);
+            CeilingM = v.Number("ceiling_m", CeilingM, 1, 50);
         }
     }
 }

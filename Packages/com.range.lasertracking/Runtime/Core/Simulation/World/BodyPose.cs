@@ -8,6 +8,9 @@ namespace LaserTracking.Simulation
         public TrueHand Weapon;
         public Vector3D HeadM;
         public Vector3D NeckM;
+
+        /// <summary>Unit vector from the left to the right shoulder.</summary>
+        public Vector3D ShoulderAxis;
         public Vector3D HipM;
         public Vector3D SupportShoulderM;
         public Vector3D SupportElbowM;

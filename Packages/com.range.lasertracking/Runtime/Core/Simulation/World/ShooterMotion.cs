@@ -6,13 +6,15 @@ namespace LaserTracking.Simulation
 {
     /// <summary>
     /// One shooter's body as a function of time, put together backwards from the light: the weapon lies on the line from the eye to
-    /// the aim, the muzzle on the line to the dot, elbow and shoulder follow. Proportions of the body: Drillis and Contini 1966.
+    /// the aim, the muzzle on the line to the dot, elbow and shoulder follow. With one hand the body is turned sideways, which brings
+    /// the shoulder under the line of sight; with two it faces the screen. Proportions of the body: Drillis and Contini 1966.
     /// </summary>
     internal sealed class ShooterMotion
     {
         private const double GripToBoreM = 0.05;
         private const double GripToMuzzleM = 0.15;
         private const double WristToPalmM = 0.08;
+        private const double SidewaysRad = 0.8;
 
         private readonly AimPath _aim;
         private readonly ShooterSettings _settings;
@@ -46,7 +48,8 @@ namespace LaserTracking.Simulation
         {
             double h = _settings.HeightM, side = Side;
             var body = new BodyPose { Weapon = Hand(timeS) };
-            body.HeadM = _feet + new Vector3D(0, -0.93 * h, 0.04);
+            body.HeadM = Eye() + new Vector3D(-side * 0.03, 0.006 * h, -0.08);
+            body.ShoulderAxis = (Shoulder(side) - Shoulder(-side)).Normalized * side;
             body.NeckM = _feet + new Vector3D(0, -0.84 * h, 0.02);
             body.HipM = _feet + new Vector3D(0, -0.52 * h, -0.02);
             Vector3D shoulder = Shoulder(-side), palm, wrist;
@@ -73,12 +76,12 @@ namespace LaserTracking.Simulation
             double h = _settings.HeightM, side = Side;
             Vector2D dot = _aim.PointM(timeS);
             var dotPoint = new Vector3D(dot.X, dot.Y, 0);
-            Vector3D eye = _feet + new Vector3D(side * 0.03, -0.936 * h, 0.12);
+            Vector3D eye = Eye();
             Vector3D shoulder = Shoulder(side);
             Vector3D sight = (dotPoint - eye).Normalized;
             // The palm: a little below the line of sight, where the nearly straight arm reaches it.
             Vector3D origin = eye + new Vector3D(0, 0.07, 0) - shoulder;
-            double reach = 0.95 * (0.186 + 0.146) * h + WristToPalmM;
+            double reach = (_settings.TwoHanded ? 0.96 : 0.985) * (0.186 + 0.146) * h + WristToPalmM;
             double b = Vector3D.Dot(origin, sight), c = origin.LengthSquared - reach * reach;
             double along = -b + Math.Sqrt(Math.Max(0, b * b - c));
             Vector3D palm = shoulder + origin + sight * along;
@@ -98,7 +101,16 @@ namespace LaserTracking.Simulation
             };
         }
 
-        private Vector3D Shoulder(double side) => _feet + new Vector3D(side * 0.115 * _settings.HeightM, -0.818 * _settings.HeightM, 0.04);
+        private double TurnRad => _settings.TwoHanded ? 0 : SidewaysRad;
+
+        private Vector3D Eye() => _feet + new Vector3D(Side * (_settings.TwoHanded ? 0.03 : 0.07), -0.936 * _settings.HeightM, 0.12);
+
+        // The weapon's shoulder comes forward when the body turns.
+        private Vector3D Shoulder(double side)
+        {
+            double half = 0.115 * _settings.HeightM;
+            return _feet + new Vector3D(side * half * Math.Cos(TurnRad), -0.818 * _settings.HeightM, 0.04 + side * Side * half * Math.Sin(TurnRad));
+        }
 
         private Vector3D Elbow(Vector3D shoulder, Vector3D wrist, double side)
         {
