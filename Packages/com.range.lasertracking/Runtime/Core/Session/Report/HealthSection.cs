@@ -91,6 +91,7 @@ namespace LaserTracking.Session
                 case RejectionReason.NotCompact: return "frayed, not a compact spot";
                 case RejectionReason.TooElongated: return "too long and thin for a moving dot";
                 case RejectionReason.TooFaint: return "hardly brighter than the moment before";
+                case RejectionReason.NotNew: return "was there before already";
                 case RejectionReason.NotIsolated: return "its surroundings lit up as well";
                 case RejectionReason.MovingSurroundings: return "part of something that moves";
                 case RejectionReason.GlobalChange: return "the whole picture changed at once";

@@ -34,7 +34,7 @@ namespace LaserTracking.Session
         public IReadOnlyList<string> ShooterNames { get; set; } = new string[0];
 
         /// <summary>One sentence on how points become the score.</summary>
-        public string ScoringRule { get; set; } = "The score is the zone's points weighed by the detector's confidence and by distance.";
+        public string ScoringRule { get; set; } = "the zone's points, times how certain the shot is, times how difficult its distance makes it; penalties count in full.";
 
         /// <summary>Shows what frames cost. Off by default: it is the only part that differs between two runs.</summary>
         public bool ShowProcessingTimes { get; set; }

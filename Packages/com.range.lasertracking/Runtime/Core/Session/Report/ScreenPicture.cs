@@ -13,6 +13,7 @@ namespace LaserTracking.Session
     {
         private const double ViewWidth = 1000;
         private const int MostLabels = 300;
+        private const int MostStandingGhosts = 60;
         private readonly HtmlWriter _html;
         private readonly ReportData _data;
         private readonly SceneModel? _scene;
@@ -165,7 +166,7 @@ namespace LaserTracking.Session
             _html.Raw("</a>\n");
         }
 
-        /// <summary>Moving targets as they stood for this shot: what it hit, always faintly; the others when the shot is chosen.</summary>
+        /// <summary>Moving targets as they stood for this shot: what it hit, faintly, while there are few; else when the shot is chosen.</summary>
         private void DrawGhosts(ReportShot shot, string paint)
         {
             if (_scene == null)
@@ -179,7 +180,7 @@ namespace LaserTracking.Session
                 if (target.Target == null || target.Motion.Kind == MotionKind.None || !wanted)
                     continue;
                 if (!any)
-                    _html.Raw("<g class=\"ghost ").Raw(paint).Raw(shot.Event.HasHit ? " hit" : "").Raw("\" data-shot=\"").Integer(shot.Id).Raw("\">");
+                    _html.Raw("<g class=\"ghost ").Raw(paint).Raw(shot.Event.HasHit && _data.Shots.Length <= MostStandingGhosts ? " hit" : "").Raw("\" data-shot=\"").Integer(shot.Id).Raw("\">");
                 any = true;
                 TargetDrawing.DrawGhost(_html, target.Target, 24, (Vector2D local, out Vector2D view) => MapAt(target, timeS, local, out view));
             }

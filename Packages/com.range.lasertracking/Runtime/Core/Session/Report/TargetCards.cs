@@ -9,6 +9,7 @@ namespace LaserTracking.Session
     internal sealed class TargetCards
     {
         private const double ViewSize = 300;
+        private const int MostLabels = 60;
         private readonly HtmlWriter _html;
         private readonly ReportData _data;
         private readonly ScenePerspective? _perspective;
@@ -68,7 +69,7 @@ namespace LaserTracking.Session
             }
 
             foreach (ReportShot hit in hits)
-                DrawHole(hit, labels);
+                DrawHole(hit, hits.Count <= MostLabels ? labels : null);
             DrawScaleBar(width, height);
             _html.Raw("</svg>\n");
             DrawMeasures(hits, definition);
@@ -146,7 +147,7 @@ namespace LaserTracking.Session
                 .Raw("h12M").Number(at.X, 1).Raw(" ").Number(at.Y - 6, 1).Raw("v12\"/></g>\n");
         }
 
-        private void DrawHole(ReportShot hit, LabelPlacer labels)
+        private void DrawHole(ReportShot hit, LabelPlacer? labels)
         {
             if (!Map(hit.Event.Hit.LocalPointM, out Vector2D at))
                 return;
@@ -158,8 +159,13 @@ namespace LaserTracking.Session
                     hit.Event.ScreenCovarianceMm2, out Covariance2D mm2))
                 new UncertaintyEllipse(mm2.Transform(_scale * 1e-3, 0, 0, -_scale * 1e-3)).Draw(_html, at.X, at.Y);
             ShotText.Mark(_html, hit, at, 2.8);
-            Vector2D label = labels.Place(at.X, at.Y, 9.0 * (hit.Id < 10 ? 1 : hit.Id < 100 ? 2 : 3), 13, 6);
-            _html.Raw("<text x=\"").Number(label.X, 1).Raw("\" y=\"").Number(label.Y + 4.5, 1).Raw("\">").Integer(hit.Id).Raw("</text></a>\n");
+            if (labels != null)
+            {
+                Vector2D label = labels.Place(at.X, at.Y, 9.0 * (hit.Id < 10 ? 1 : hit.Id < 100 ? 2 : 3), 13, 6);
+                _html.Raw("<text x=\"").Number(label.X, 1).Raw("\" y=\"").Number(label.Y + 4.5, 1).Raw("\">").Integer(hit.Id).Raw("</text>");
+            }
+
+            _html.Raw("</a>\n");
         }
 
         private void DrawScaleBar(double width, double height)
