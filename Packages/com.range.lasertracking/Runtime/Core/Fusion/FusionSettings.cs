@@ -22,8 +22,17 @@ namespace LaserTracking.Fusion
         /// <summary>ε of d̂ = v / (|v| + ε), metres. Published without a value; only keeps the division from failing.</summary>
         public double EpsilonM { get; set; } = 1e-9;
 
-        /// <summary>Standard deviation between forearm and barrel about one axis, radians: the wrist bends by about 8°.</summary>
-        public double WristSigmaRad { get; set; } = 0.14;
+        /// <summary>
+        /// Standard deviation between forearm and barrel about one axis, radians. 15°: the arm comes from the shoulder, the line of
+        /// fire from the eye, 0.2 m apart over an arm's length, and the wrist bends.
+        /// </summary>
+        public double WristSigmaRad { get; set; } = 0.26;
+
+        /// <summary>Share of shots fired along the sights (eye over muzzle) rather than along the arm, where the head is seen.</summary>
+        public double SightedShare { get; set; } = 0.8;
+
+        /// <summary>Standard deviation between the line of sight over the muzzle and the light about one axis, radians, beside what the tracker says.</summary>
+        public double SightSpreadRad { get; set; } = 0.03;
 
         /// <summary>Growth of the aim's standard deviation with the distance in time to the nearest sighting, radians a second.</summary>
         public double AimDriftRadPerS { get; set; } = 0.6;
@@ -70,6 +79,7 @@ namespace LaserTracking.Fusion
             Check(WindowUs >= 0 && MaxInterpolationUs >= 0 && RelinkUs >= 0, "times not negative");
             Check(EpsilonM >= 0 && RelinkM >= 0 && SameWeaponM >= 0, "lengths not negative");
             Check(WristSigmaRad > 0 && AimDriftRadPerS >= 0 && MuzzleDriftMPerS >= 0, "WristSigmaRad above zero, drifts not negative");
+            Check(SightedShare >= 0 && SightedShare <= 1 && SightSpreadRad >= 0, "SightedShare 0…1, SightSpreadRad not negative");
             Check(OutlierShare >= 0 && OutlierShare < 1, "OutlierShare at least 0, below 1");
             Check(NobodyPrior > 0 && NobodyPrior < 1, "NobodyPrior between 0 and 1");
             Check(ScreenAreaM2 > 0, "ScreenAreaM2 above zero");

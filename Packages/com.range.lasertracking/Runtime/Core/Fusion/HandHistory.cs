@@ -105,6 +105,8 @@ namespace LaserTracking.Fusion
             pair.Hand.MuzzleMm = Between(a.MuzzleMm, b.MuzzleMm, f);
             if (a.AimDirection.LengthSquared > 0 && b.AimDirection.LengthSquared > 0)
                 pair.Hand.AimDirection = Between(a.AimDirection, b.AimDirection, f).Normalized;
+            if (a.SightDirection.LengthSquared > 0 && b.SightDirection.LengthSquared > 0)
+                pair.Hand.SightDirection = Between(a.SightDirection, b.SightDirection, f).Normalized;
             pair.Hand.DepthSource = a.DepthSource > b.DepthSource ? a.DepthSource : b.DepthSource;
             // No smaller than the better of the two: their errors are mostly common (shape, bias).
             pair.Hand.SigmaMm = a.SigmaMm + (b.SigmaMm - a.SigmaMm) * f;

@@ -42,14 +42,15 @@ namespace LaserTracking.Fusion
                 MuzzleSigmaM = Math.Sqrt(sigma * sigma + drift * drift),
                 Direction = Direction(target, muzzle, settings.EpsilonM),
                 AimErrorRad = AngleRad(axis, target - muzzle),
+                SightErrorRad = AngleRad(camera.PoseInScreenMm.TransformDirection(hand.Hand.SightDirection), target - muzzle),
                 PairDeltaUs = hand.DeltaUs,
             };
             return muzzle.Z < 0 && muzzle.IsFinite;
         }
 
         /// <summary>
-        /// Density, per m² of the screen, with which this hand's shots fall where the dot is: normal in the angle between arm and
-        /// line, plus a share of outliers over the half space, seen through the solid angle of the screen there.
+        /// Density, per m² of the screen, with which this hand's shots fall where the dot is: normal in the angle between the
+        /// line and the sights, or the arm, plus a share of outliers over the half space, seen through the solid angle of the screen there.
         /// </summary>
         public static double ScreenDensity(in PairedHand hand, in FusedShot shot, Vector2D screenM, FusionSettings settings)
         {
@@ -57,14 +58,22 @@ namespace LaserTracking.Fusion
             double distance = Math.Max(0.1, v.Length);
             double solidAnglePerM2 = Math.Max(0, v.Z / distance) / (distance * distance);
             double anywhere = 1 / (2 * Math.PI);
-            if (double.IsNaN(shot.AimErrorRad))
-                return anywhere * solidAnglePerM2;
             double seconds = Math.Abs(hand.DeltaUs) * 1e-6 * (hand.IsInterpolated ? 0.25 : 1);
             double drift = settings.AimDriftRadPerS * seconds, lever = shot.MuzzleSigmaM / distance;
-            double variance = settings.WristSigmaRad * settings.WristSigmaRad + hand.Hand.AimSigmaRad * hand.Hand.AimSigmaRad
-                + drift * drift + lever * lever;
-            double aimed = Math.Exp(-shot.AimErrorRad * shot.AimErrorRad / (2 * variance)) / (2 * Math.PI * variance);
+            double common = drift * drift + lever * lever;
+            double wrist = settings.WristSigmaRad * settings.WristSigmaRad + hand.Hand.AimSigmaRad * hand.Hand.AimSigmaRad + common;
+            double sight = settings.SightSpreadRad * settings.SightSpreadRad + hand.Hand.SightSigmaRad * hand.Hand.SightSigmaRad + common;
+            double sighted = double.IsNaN(shot.SightErrorRad) ? 0 : double.IsNaN(shot.AimErrorRad) ? 1 : settings.SightedShare;
+            double aimed = 0;
+            if (sighted > 0)
+                aimed += sighted * Density(shot.SightErrorRad, sight);
+            if (sighted < 1)
+                aimed += (1 - sighted) * (double.IsNaN(shot.AimErrorRad) ? anywhere : Density(shot.AimErrorRad, wrist));
             return ((1 - settings.OutlierShare) * aimed + settings.OutlierShare * anywhere) * solidAnglePerM2;
         }
+
+        /// <summary>Normal in the two small angles beside a direction, per steradian.</summary>
+        private static double Density(double angleRad, double variance) =>
+            Math.Exp(-angleRad * angleRad / (2 * variance)) / (2 * Math.PI * variance);
     }
 }

@@ -15,6 +15,9 @@ namespace LaserTracking.Hands
 
         public double AxisSigmaRad;
 
+        /// <summary>Unit vector from the eyes to the muzzle; zero when no head is seen.</summary>
+        public Vector3D Sight;
+
         /// <summary>The forearm's middle line: a point on it and its direction; direction zero when too little of it is seen.</summary>
         public Vector3D LinePointMm;
 

@@ -76,6 +76,7 @@ namespace LaserTracking.Hands
             fit.Side = SideOf(part, hasRear ? rear : hand, hasRear ? 0.4 : 0.6);
             if (isClear && IsHole(grid, hand, axis, front, out Vector3D holeRay))
                 BridgeHand(axis, front, holeRay, ref fit);
+            fit.Sight = part.HasEye ? (fit.MuzzleMm - part.EyeMm).Normalized : default;
             return true;
         }
 
@@ -302,7 +303,7 @@ namespace LaserTracking.Hands
             Vector3D tip = hand + axis * (front - Vector3D.Dot(hand, axis));
             double half = _settings.HandLengthMm / 2;
             ray = default;
-            if (!HoleProbe.Measure(grid, tip + axis * (0.8 * half), 0.6 * half, out double share, out _) || share < _settings.LostShare)
+            if (!HoleProbe.IsHole(grid, tip + axis * (0.8 * half), 0.6 * half, _settings.LostShare))
                 return false;
             return HoleProbe.Measure(grid, tip + axis * half, 1.2 * half, out _, out ray);
         }
@@ -329,8 +330,8 @@ namespace LaserTracking.Hands
             Vector3D r = ray.Normalized, d = fit.LineDirection;
             double along = Vector3D.Dot(r, d), denominator = 1 - along * along;
             zMm = 0;
-            // Nearer than about 17° to the ray the crossing point is mostly noise.
-            if (d.LengthSquared == 0 || denominator < 0.09)
+            // Nearer than about 40° to the ray an error across it moves the crossing point by more than itself.
+            if (d.LengthSquared == 0 || denominator < 0.4)
                 return false;
             double t = (Vector3D.Dot(fit.LinePointMm, r) - along * Vector3D.Dot(fit.LinePointMm, d)) / denominator;
             zMm = t * r.Z;

@@ -19,5 +19,10 @@ namespace LaserTracking.Hands
 
         /// <summary>Middle of the torso behind the arm; only x and z are known, y is the arm's.</summary>
         public Vector3D TorsoMm;
+
+        public bool HasEye;
+
+        /// <summary>About where the eyes are: below the crown over the torso's middle.</summary>
+        public Vector3D EyeMm;
     }
 }

@@ -71,15 +71,50 @@ namespace LaserTracking.Hands
                     Examine(Flood(i, 1), 1);
             }
 
+            PlaceOnTorsos();
+            JoinOccluded();
+        }
+
+        /// <summary>Finds each part's torso; what floats at a torso's distance is a head or a leg of it, cut off by lost edges.</summary>
+        private void PlaceOnTorsos()
+        {
+            int kept = 0;
+            for (int i = 0; i < ArmCount; i++)
+            {
+                ArmPart arm = Arms[i];
+                if (_torsos.TryTorso(arm.MiddleXMm, out double x, out double z))
+                {
+                    double reach = z - arm.NearestMm;
+                    arm.HasTorso = reach > 0 && reach < 2 * MaxReachMm;
+                    arm.TorsoMm = new Vector3D(x, 0, z);
+                    if (arm.ReachMm == float.MaxValue && reach < _settings.MinReachMm)
+                    {
+                        if (Math.Abs(reach) < _settings.MinReachMm)
+                            AddTop(arm);
+                        continue;
+                    }
+                }
+
+                Arms[kept++] = arm;
+            }
+
+            ArmCount = kept;
             for (int i = 0; i < ArmCount; i++)
             {
                 ref ArmPart arm = ref Arms[i];
-                arm.HasTorso = _torsos.TryTorso(arm.MiddleXMm, out double x, out double torsoZ)
-                    && torsoZ > arm.NearestMm && torsoZ - arm.NearestMm < 2 * MaxReachMm;
-                arm.TorsoMm = new Vector3D(x, 0, torsoZ);
+                double top = 0;
+                arm.HasEye = arm.HasTorso && _torsos.TryTop(arm.TorsoMm.X, out top);
+                arm.EyeMm = new Vector3D(arm.TorsoMm.X, top + _settings.EyeBelowCrownMm, arm.TorsoMm.Z);
             }
+        }
 
-            JoinOccluded();
+        private void AddTop(in ArmPart part)
+        {
+            foreach (int cell in CellsOf(part))
+            {
+                Vector3D point = _grid.Point(cell);
+                _torsos.AddTop(point.X, point.Y);
+            }
         }
 
         /// <summary>Level n marks cells that wait to be gathered at depth n; a gathered cell carries 0.</summary>
@@ -118,12 +153,13 @@ namespace LaserTracking.Hands
                 float z = _grid.Z[cell];
                 int row = cell / _grid.Width;
                 double x = _grid.RayX[cell - row * _grid.Width] * z;
-                float before = (float)_torsos.BodyZ(x, _grid.RayY[row] * z) - z;
+                double y = _grid.RayY[row] * z;
+                float before = (float)_torsos.BodyZ(x, y) - z;
                 _before[cell] = before;
                 if (before > forward)
                     _level[cell] = level;
                 else
-                    _torsos.AddTorso(x, z);
+                    _torsos.AddTorso(x, y, z);
             }
         }
 
@@ -219,6 +255,8 @@ namespace LaserTracking.Hands
                 MiddleXMm = (a.MiddleXMm * a.AreaMm2 + b.MiddleXMm * b.AreaMm2) / area,
                 HasTorso = a.HasTorso || b.HasTorso,
                 TorsoMm = a.HasTorso ? a.TorsoMm : b.TorsoMm,
+                HasEye = a.HasEye || b.HasEye,
+                EyeMm = a.HasEye ? a.EyeMm : b.EyeMm,
             };
             for (int m = 0; m < k; m++)
                 _contacts[m * Arms.Length + k] += _contacts[m * Arms.Length + i];

@@ -44,6 +44,12 @@ namespace LaserTracking.Hands
         /// </summary>
         public double MinReachMm { get; set; } = 280;
 
+        /// <summary>From the crown down to the eyes: adult mean 115 mm.</summary>
+        public double EyeBelowCrownMm { get; set; } = 115;
+
+        /// <summary>Standard deviation of the line from the eyes over the muzzle about one axis: 70 mm of the head over 0.6 m.</summary>
+        public double SightSigmaRad { get; set; } = 0.12;
+
         /// <summary>From the forearm's visible surface to its middle: its radius.</summary>
         public double ForearmRadiusMm { get; set; } = 30;
 
@@ -106,7 +112,7 @@ namespace LaserTracking.Hands
         {
             Check(NearMm >= 0 && FarMm > NearMm && FarMm <= 20000, "0 <= NearMm < FarMm <= 20000");
             Check(CellRad > 0.0005 && CellRad < 0.1, "CellRad between 0.0005 and 0.1");
-            Check(SurfaceStepMm > 0 && HoleMm >= 0 && ForwardMm > 0 && MinReachMm >= 0 && ForearmRadiusMm >= 0 && TorsoHalfWidthMm > 0, "lengths above zero");
+            Check(SurfaceStepMm > 0 && HoleMm >= 0 && ForwardMm > 0 && MinReachMm >= 0 && EyeBelowCrownMm >= 0 && SightSigmaRad > 0 && ForearmRadiusMm >= 0 && TorsoHalfWidthMm > 0, "lengths above zero");
             Check(MinArmAreaMm2 > 0 && MaxArmAreaMm2 > MinArmAreaMm2 && MaxHandAreaMm2 > MinArmAreaMm2, "areas above zero, limits in order");
             Check(HandLengthMm > 0 && ForearmLengthMm > 0 && HandHalfThicknessMm >= 0 && MinHandWidthMm >= 0, "sizes of the hand above zero");
             Check(MuzzleBeyondPalmMm >= 0 && PalmSigmaMm > 0 && MuzzleSigmaMm > 0, "uncertainties above zero");

@@ -26,6 +26,15 @@ namespace LaserTracking.Hands
         /// <summary>Standard deviation of <see cref="AimDirection"/> about one axis, radians; means nothing when that is zero.</summary>
         public double AimSigmaRad;
 
+        /// <summary>
+        /// Unit vector from about where the eyes are to the muzzle; zero when no head is seen. Somebody who aims over the weapon
+        /// fires along it, while the arm comes from the shoulder, 10 to 30 degrees aside.
+        /// </summary>
+        public Vector3D SightDirection;
+
+        /// <summary>Standard deviation of <see cref="SightDirection"/> about one axis, radians.</summary>
+        public double SightSigmaRad;
+
         public DepthSource DepthSource;
     }
 }

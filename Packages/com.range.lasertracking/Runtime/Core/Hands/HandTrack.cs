@@ -27,6 +27,7 @@ namespace LaserTracking.Hands
 
         public Vector3D Axis;
         public double AxisSigmaRad;
+        public Vector3D Sight;
 
         /// <summary>Right above zero, left below; limited, so that a new body side wins in time.</summary>
         public int SideVotes;

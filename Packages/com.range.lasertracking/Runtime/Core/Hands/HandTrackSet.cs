@@ -154,6 +154,7 @@ namespace LaserTracking.Hands
             track.MuzzleOffsetMm = fit.MuzzleMm - fit.PalmMm;
             track.Axis = fit.Axis;
             track.AxisSigmaRad = fit.AxisSigmaRad;
+            track.Sight = fit.Sight;
         }
 
         /// <summary>
@@ -163,7 +164,7 @@ namespace LaserTracking.Hands
         private void Bridge(ref HandTrack track, in ArmFit fit, Vector3D expected, long timeUs, HandObservations observations)
         {
             bool onArm = track.HasLineOffset;
-            double z = expected.Z;
+            double z = (expected.Z + fit.PalmMm.Z) / 2;
             Vector3D hole = fit.PalmMm * (1 / fit.PalmMm.Z), ray = expected * (1 / expected.Z);
             if (track.HasVelocity)
                 ray = (ray + hole) * 0.5;
@@ -186,8 +187,7 @@ namespace LaserTracking.Hands
             long blindUs = timeUs - track.MeasuredUs;
             Vector3D expected = track.Predict(timeUs);
             if (blindUs > _settings.BridgeUs
-                || !HoleProbe.Measure(grid, expected, 0.25 * _settings.HandLengthMm, out double share, out _)
-                || share < _settings.LostShare)
+                || !HoleProbe.IsHole(grid, expected, 0.25 * _settings.HandLengthMm, _settings.LostShare))
                 return;
             track.PalmMm = expected;
             track.TimeUs = timeUs;
@@ -196,7 +196,7 @@ namespace LaserTracking.Hands
                 observations);
         }
 
-        private static void Report(in HandTrack track, double sigma, double muzzleSigma, DepthSource source, HandObservations observations)
+        private void Report(in HandTrack track, double sigma, double muzzleSigma, DepthSource source, HandObservations observations)
         {
             observations.Add(new HandObservation
             {
@@ -208,6 +208,8 @@ namespace LaserTracking.Hands
                 SigmaMm = sigma,
                 MuzzleSigmaMm = muzzleSigma,
                 AimSigmaRad = track.AxisSigmaRad,
+                SightDirection = track.Sight,
+                SightSigmaRad = _settings.SightSigmaRad,
                 DepthSource = source,
             });
         }

@@ -7,6 +7,14 @@ namespace LaserTracking.Hands
     internal static class HoleProbe
     {
         /// <summary>
+        /// True when a place is mostly lost while three times its surroundings mostly are not: the sensor also measures nothing
+        /// where the room is out of its range, and an empty room is no hidden hand.
+        /// </summary>
+        public static bool IsHole(DepthGrid grid, Vector3D middleMm, double radiusMm, double lostShare) =>
+            Measure(grid, middleMm, radiusMm, out double inside, out _) && inside >= lostShare
+            && Measure(grid, middleMm, 3 * radiusMm, out double around, out _) && around < lostShare;
+
+        /// <summary>
         /// Share of lost cells in the disc that a sphere covers in the picture, and the mean ray (z = 1) of those; false when the
         /// disc lies outside the picture.
         /// </summary>

@@ -30,6 +30,7 @@ namespace LaserTracking.Hands
         private readonly double[] _columnLine = new double[ColumnBins];
         private readonly double[] _weight = new double[ColumnBins];
         private readonly double[] _weightedZ = new double[ColumnBins];
+        private readonly float[] _top = new float[ColumnBins];
         private double _slope;
 
         public TorsoProfile(DepthHandSettings settings)
@@ -43,6 +44,26 @@ namespace LaserTracking.Hands
         {
             Array.Clear(_weight, 0, _weight.Length);
             Array.Clear(_weightedZ, 0, _weightedZ.Length);
+            for (int column = 0; column < ColumnBins; column++)
+                _top[column] = float.MaxValue;
+        }
+
+        /// <summary>Counts a cell as part of a person without counting it for where the torso is: a head that seems to float.</summary>
+        public void AddTop(double xMm, double yMm)
+        {
+            int column = ColumnOf(xMm);
+            _top[column] = Math.Min(_top[column], (float)yMm);
+        }
+
+        /// <summary>Height (y) of the crown above the torso's middle; false when nothing is seen there.</summary>
+        public bool TryTop(double middleXMm, out double yMm)
+        {
+            int centre = ColumnOf(middleXMm);
+            float top = float.MaxValue;
+            for (int k = Math.Max(0, centre - 2); k <= Math.Min(ColumnBins - 1, centre + 2); k++)
+                top = Math.Min(top, _top[k]);
+            yMm = top;
+            return top < float.MaxValue;
         }
 
         /// <summary>Measures one surface, for <see cref="BodyZ"/>.</summary>
@@ -119,9 +140,10 @@ namespace LaserTracking.Hands
         }
 
         /// <summary>Counts a cell as part of a torso.</summary>
-        public void AddTorso(double xMm, float z)
+        public void AddTorso(double xMm, double yMm, float z)
         {
             int column = ColumnOf(xMm);
+            _top[column] = Math.Min(_top[column], (float)yMm);
             _weight[column] += z * z;
             _weightedZ[column] += (double)z * z * z;
         }
