@@ -16,27 +16,43 @@ namespace LaserTracking.Host.Sessions
         public static void Print(SessionRecorder session, SimulationTruth truth)
         {
             var free = new List<ShotEvent>(session.ShotsByTime());
-            int fired = 0, found = 0, colours = 0, shooters = 0, wrongShooters = 0, hits = 0;
-            var errorsMm = new List<double>();
-            foreach (TrueShot shot in truth.Shots.Where(s => s.FirstFrame >= 0))
+            var pairs = new List<(TrueShot Fired, ShotEvent Seen)>();
+            TrueShot[] fired = truth.Shots.Where(s => s.FirstFrame >= 0).ToArray();
+            foreach (TrueShot shot in fired)
             {
-                fired++;
                 int match = Nearest(free, shot);
                 if (match < 0)
                     continue;
-                ShotEvent e = free[match];
+                pairs.Add((shot, free[match]));
                 free.RemoveAt(match);
-                found++;
-                errorsMm.Add((e.ScreenM - shot.ScreenM).Length * 1000);
-                colours += e.Shot.Dot.Color == shot.Color ? 1 : 0;
-                shooters += e.Shooter > 0 ? 1 : 0;
-                hits += (e.HasHit ? e.Hit.Target + e.Hit.Zone : string.Empty) == shot.Target + shot.Zone ? 1 : 0;
             }
 
-            errorsMm.Sort();
-            string position = errorsMm.Count == 0 ? string.Empty : FormattableString.Invariant($", position off by {errorsMm[errorsMm.Count / 2]:F1} mm (median), {errorsMm[(int)(0.95 * (errorsMm.Count - 1))]:F1} mm (95 %)");
-            Console.WriteLine(FormattableString.Invariant($"against the simulation's truth: {found} of {fired} shots found, {free.Count} false{position}; colour right {colours}, target and zone right {hits}, shooter known {shooters}"));
-            _ = wrongShooters;
+            int colors = pairs.Count(p => p.Seen.Shot.Dot.Color == p.Fired.Color);
+            int hits = pairs.Count(p => (p.Seen.HasHit ? p.Seen.Hit.Target + p.Seen.Hit.Zone : string.Empty) == p.Fired.Target + p.Fired.Zone);
+            (int right, int wrong) = CountShooters(pairs);
+            Console.WriteLine(FormattableString.Invariant($"against the simulation's truth: {pairs.Count} of {fired.Length} shots found, {free.Count} false{PositionText(pairs)}"));
+            Console.WriteLine(FormattableString.Invariant($"of the {pairs.Count} found: colour right {colors}, target and zone right {hits}, shooter right {right}, wrong {wrong}, unknown {pairs.Count - right - wrong}"));
+        }
+
+        private static string PositionText(List<(TrueShot Fired, ShotEvent Seen)> pairs)
+        {
+            double[] errorsMm = pairs.Select(p => (p.Seen.ScreenM - p.Fired.ScreenM).Length * 1000).OrderBy(e => e).ToArray();
+            return errorsMm.Length == 0
+                ? string.Empty
+                : FormattableString.Invariant($", position off by {errorsMm[errorsMm.Length / 2]:F1} mm (median), {errorsMm[(int)(0.95 * (errorsMm.Length - 1))]:F1} mm (95 %)");
+        }
+
+        /// <summary>The session numbers shooters by their first shot: each number stands for whom it names most often.</summary>
+        private static (int Right, int Wrong) CountShooters(List<(TrueShot Fired, ShotEvent Seen)> pairs)
+        {
+            int right = 0, known = 0;
+            foreach (var ofNumber in pairs.Where(p => p.Seen.Shooter > 0).GroupBy(p => p.Seen.Shooter))
+            {
+                known += ofNumber.Count();
+                right += ofNumber.GroupBy(p => p.Fired.Shooter).Max(g => g.Count());
+            }
+
+            return (right, known - right);
         }
 
         private static int Nearest(List<ShotEvent> shots, TrueShot shot)
