@@ -14,7 +14,7 @@ namespace LaserTracking.Simulation
         private const double GripToBoreM = 0.05;
         private const double GripToMuzzleM = 0.15;
         private const double WristToPalmM = 0.08;
-        private const double SidewaysRad = 0.8;
+        private const double SidewaysRad = 0.95;
 
         private readonly AimPath _aim;
         private readonly ShooterSettings _settings;
@@ -67,7 +67,7 @@ namespace LaserTracking.Simulation
             body.SupportShoulderM = shoulder;
             body.SupportPalmM = palm;
             body.SupportWristM = wrist;
-            body.SupportElbowM = Elbow(shoulder, wrist, -side);
+            body.SupportElbowM = Elbow(shoulder, wrist, new Vector3D(-side * 0.6, 1, -0.2));
             return body;
         }
 
@@ -81,7 +81,7 @@ namespace LaserTracking.Simulation
             Vector3D sight = (dotPoint - eye).Normalized;
             // The palm: a little below the line of sight, where the nearly straight arm reaches it.
             Vector3D origin = eye + new Vector3D(0, 0.07, 0) - shoulder;
-            double reach = (_settings.TwoHanded ? 0.96 : 0.985) * (0.186 + 0.146) * h + WristToPalmM;
+            double reach = (_settings.TwoHanded ? 0.97 : 0.985) * (0.186 + 0.146) * h + WristToPalmM;
             double b = Vector3D.Dot(origin, sight), c = origin.LengthSquared - reach * reach;
             double along = -b + Math.Sqrt(Math.Max(0, b * b - c));
             Vector3D palm = shoulder + origin + sight * along;
@@ -91,7 +91,8 @@ namespace LaserTracking.Simulation
             return new TrueHand
             {
                 ShoulderM = shoulder,
-                ElbowM = Elbow(shoulder, wrist, side),
+                // As near behind the weapon as the arm allows: the forearm takes the recoil.
+                ElbowM = Elbow(shoulder, wrist, wrist - light * (0.146 * h) - shoulder + new Vector3D(side * 0.01, 0.01, 0)),
                 WristM = wrist,
                 PalmM = palm,
                 MuzzleM = bore + light * GripToMuzzleM,
@@ -101,25 +102,25 @@ namespace LaserTracking.Simulation
             };
         }
 
+        // With a weapon up the head comes down a little and the shoulders rise.
         private double TurnRad => _settings.TwoHanded ? 0 : SidewaysRad;
 
-        private Vector3D Eye() => _feet + new Vector3D(Side * (_settings.TwoHanded ? 0.03 : 0.07), -0.936 * _settings.HeightM, 0.12);
+        private Vector3D Eye() => _feet + new Vector3D(Side * (_settings.TwoHanded ? 0.03 : 0.08), -0.922 * _settings.HeightM, 0.12);
 
         // The weapon's shoulder comes forward when the body turns.
         private Vector3D Shoulder(double side)
         {
             double half = 0.115 * _settings.HeightM;
-            return _feet + new Vector3D(side * half * Math.Cos(TurnRad), -0.818 * _settings.HeightM, 0.04 + side * Side * half * Math.Sin(TurnRad));
+            return _feet + new Vector3D(side * half * Math.Cos(TurnRad), -0.825 * _settings.HeightM, 0.04 + side * Side * half * Math.Sin(TurnRad));
         }
 
-        private Vector3D Elbow(Vector3D shoulder, Vector3D wrist, double side)
+        private Vector3D Elbow(Vector3D shoulder, Vector3D wrist, Vector3D wanted)
         {
             double upper = 0.186 * _settings.HeightM, fore = 0.146 * _settings.HeightM;
             Vector3D axis = wrist - shoulder;
             double distance = Math.Max(1e-6, axis.Length);
             axis = axis.Normalized;
             double along = Math.Max(0, Math.Min(upper, (upper * upper - fore * fore + distance * distance) / (2 * distance)));
-            var wanted = new Vector3D(side * 0.6, 1, -0.2);
             Vector3D bend = (wanted - axis * Vector3D.Dot(wanted, axis)).Normalized;
             return shoulder + axis * along + bend * Math.Sqrt(Math.Max(0, upper * upper - along * along));
         }
