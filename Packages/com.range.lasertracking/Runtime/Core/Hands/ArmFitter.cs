@@ -73,7 +73,7 @@ namespace LaserTracking.Hands
             if (hasRear)
                 FitLine(axis, handEnd - _settings.ForearmLengthMm, handEnd, rear, ref fit);
             Muzzle(axis, isClear, hasWeapon, front, ref fit);
-            fit.Side = SideOf(part, hasRear ? rear : hand, hasRear ? 0.4 : 0.6);
+            fit.Side = SideOf(part);
             if (isClear && IsHole(grid, hand, axis, front, out Vector3D holeRay))
                 BridgeHand(axis, front, holeRay, ref fit);
             fit.Sight = part.HasEye ? (fit.MuzzleMm - part.EyeMm).Normalized : default;
@@ -288,12 +288,11 @@ namespace LaserTracking.Hands
         }
 
         /// <summary>The camera faces the trainee: their right shoulder is on the picture's left. Near the body's middle: unknown.</summary>
-        private HandSide SideOf(in ArmPart part, Vector3D root, double share)
+        private HandSide SideOf(in ArmPart part)
         {
-            if (!part.HasTorso)
+            if (!part.HasTorso || !part.HasOneRoot)
                 return HandSide.Unknown;
-            double offset = root.X - part.TorsoMm.X;
-            double limit = share * _settings.TorsoHalfWidthMm;
+            double offset = part.RootXMm - part.TorsoMm.X, limit = 0.4 * _settings.TorsoHalfWidthMm;
             return offset < -limit ? HandSide.Right : offset > limit ? HandSide.Left : HandSide.Unknown;
         }
 

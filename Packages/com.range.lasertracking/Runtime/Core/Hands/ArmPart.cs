@@ -20,6 +20,12 @@ namespace LaserTracking.Hands
         /// <summary>Middle of the torso behind the arm; only x and z are known, y is the arm's.</summary>
         public Vector3D TorsoMm;
 
+        /// <summary>Where its rear end is.</summary>
+        public double RootXMm;
+
+        /// <summary>False where two arms hold one weapon, or too little is seen to tell where it comes from.</summary>
+        public bool HasOneRoot;
+
         public bool HasEye;
 
         /// <summary>About where the eyes are: below the crown over the torso's middle.</summary>

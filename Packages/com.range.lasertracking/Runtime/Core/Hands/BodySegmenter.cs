@@ -12,6 +12,9 @@ namespace LaserTracking.Hands
         private const int MaxLevel = 3;
         private const int MinContacts = 2;
 
+        /// <summary>How much of an arm's depth, from behind, is its root.</summary>
+        private const double RootShare = 0.2;
+
         /// <summary>Longest way from a hand back to what is seen of its own arm: half an arm.</summary>
         private const double MaxReachMm = 450;
 
@@ -73,6 +76,8 @@ namespace LaserTracking.Hands
 
             PlaceOnTorsos();
             JoinOccluded();
+            for (int i = 0; i < ArmCount; i++)
+                PlaceEye(ref Arms[i]);
         }
 
         /// <summary>Finds each part's torso; what floats at a torso's distance is a head or a leg of it, cut off by lost edges.</summary>
@@ -99,13 +104,34 @@ namespace LaserTracking.Hands
             }
 
             ArmCount = kept;
-            for (int i = 0; i < ArmCount; i++)
+        }
+
+        /// <summary>The torso at the arm's rear end, where the shoulder is: a hand may well be before a neighbour.</summary>
+        private void PlaceEye(ref ArmPart arm)
+        {
+            double far = 0;
+            foreach (int cell in CellsOf(arm))
+                far = Math.Max(far, _grid.Z[cell]);
+            double limit = far - RootShare * (far - arm.NearestMm), sum = 0, low = double.MaxValue, high = double.MinValue;
+            int count = 0;
+            foreach (int cell in CellsOf(arm))
             {
-                ref ArmPart arm = ref Arms[i];
-                double top = 0;
-                arm.HasEye = arm.HasTorso && _torsos.TryTop(arm.TorsoMm.X, out top);
-                arm.EyeMm = new Vector3D(arm.TorsoMm.X, top + _settings.EyeBelowCrownMm, arm.TorsoMm.Z);
+                if (_grid.Z[cell] < limit)
+                    continue;
+                double x0 = _grid.RayX[cell % _grid.Width] * _grid.Z[cell];
+                sum += x0;
+                low = Math.Min(low, x0);
+                high = Math.Max(high, x0);
+                count++;
             }
+
+            arm.RootXMm = sum / count;
+            arm.HasOneRoot = high - low < _settings.TorsoHalfWidthMm && far - arm.NearestMm > _settings.HandLengthMm;
+            arm.HasTorso = _torsos.TryTorso(arm.RootXMm, out double x, out double z) && z > arm.NearestMm && z - arm.NearestMm < 2 * MaxReachMm;
+            arm.TorsoMm = new Vector3D(x, 0, z);
+            double top = 0;
+            arm.HasEye = arm.HasTorso && _torsos.TryTop(x, out top);
+            arm.EyeMm = new Vector3D(x, top + _settings.EyeBelowCrownMm, z);
         }
 
         private void AddTop(in ArmPart part)
@@ -255,8 +281,6 @@ namespace LaserTracking.Hands
                 MiddleXMm = (a.MiddleXMm * a.AreaMm2 + b.MiddleXMm * b.AreaMm2) / area,
                 HasTorso = a.HasTorso || b.HasTorso,
                 TorsoMm = a.HasTorso ? a.TorsoMm : b.TorsoMm,
-                HasEye = a.HasEye || b.HasEye,
-                EyeMm = a.HasEye ? a.EyeMm : b.EyeMm,
             };
             for (int m = 0; m < k; m++)
                 _contacts[m * Arms.Length + k] += _contacts[m * Arms.Length + i];

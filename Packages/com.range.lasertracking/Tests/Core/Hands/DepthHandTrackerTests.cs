@@ -57,8 +57,15 @@ namespace LaserTracking.Hands
         [Test]
         public void Process_RightArm_IsRightAfterAFewFrames()
         {
-            Assert.That(SideAfterFrames(-190), Is.EqualTo(HandSide.Right));
-            Assert.That(SideAfterFrames(190), Is.EqualTo(HandSide.Left));
+            Assert.That(SideAfterFrames(-190, -40, 60), Is.EqualTo(HandSide.Right));
+            Assert.That(SideAfterFrames(190, 40, 60), Is.EqualTo(HandSide.Left));
+        }
+
+        [Test]
+        public void Process_ArmHiddenBehindItsHand_SideUnknown()
+        {
+            // Along the line of sight: only the fist is seen, and a hand before the chest may be either one.
+            Assert.That(SideAfterFrames(-190, -0.8 * 190, -40), Is.EqualTo(HandSide.Unknown));
         }
 
         [Test]
@@ -157,10 +164,10 @@ namespace LaserTracking.Hands
                 Throws.ArgumentException);
         }
 
-        private HandSide SideAfterFrames(double shoulderX)
+        private HandSide SideAfterFrames(double shoulderX, double fistX, double fistY)
         {
             var scene = new SolidScene { NoiseMm = 4 }.Body(0, 1750);
-            scene.Arm(new Vector3D(shoulderX, -60, 1720), new Vector3D(shoulderX * 0.8, -40, 1150), 140);
+            scene.Arm(new Vector3D(shoulderX, -60, 1720), new Vector3D(fistX, fistY, 1150), 140);
             var tracker = new DepthHandTracker(SolidScene.Camera);
             for (int i = 0; i < 4; i++)
             {
