@@ -163,6 +163,29 @@ namespace LaserTracking.Unity
         }
 
         [Test]
+        public void LaserRange_ScreenOfAnotherSizeThanCalibrated_SaysSo()
+        {
+            var rig = new RangeRig(new StubSource(45, 0));
+            SerializedFields.Set(rig.Screen, "_sizeM", new Vector2(3.5f, 2.26f));
+            rig.Play(0.2);
+            Assert.That(ConsoleLog.Entries.Single().Message, Does.Contain("calibrated picture"));
+        }
+
+        [Test]
+        public void LaserRange_SourceWithSceneTime_PutsTheSceneClockThere()
+        {
+            var rig = new RangeRig(new StubSource(45, 5_000_000));
+            rig.SourceAsset.SceneZeroUs = 4_000_000;
+            LaserTarget target = RangeRig.AddPlate("Runner", new Vector3(0, 0, 4), 0.2f);
+            TargetMotion motion = target.gameObject.AddComponent<TargetMotion>();
+            target.gameObject.SetActive(true);
+            PlayerLoop.Step(2);
+            rig.Range.gameObject.SetActive(true);
+            PlayerLoop.Step(0.5);
+            Assert.That(motion.ClockOffsetS, Is.EqualTo(1 - 2.5).Within(1e-9), "the first frame is at scene time 1 s");
+        }
+
+        [Test]
         public void LaserRange_CalibrationThatIsNone_SaysWhatIsWrong()
         {
             var rig = new RangeRig(new StubSource(45, 0));

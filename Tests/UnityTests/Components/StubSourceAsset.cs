@@ -10,7 +10,15 @@ namespace LaserTracking.Unity
 
         public double Latency { get; set; }
 
+        public long HandClockOffsetUs { get; set; }
+
+        public long? SceneZeroUs { get; set; }
+
         public override double LatencyS => Latency;
+
+        public override long ClockOffsetUs => HandClockOffsetUs;
+
+        public override long? SceneTimeZeroUs => SceneZeroUs;
 
         public override IFrameSource CreateSource() => Create();
     }

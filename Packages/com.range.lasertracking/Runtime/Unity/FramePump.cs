@@ -6,7 +6,7 @@ namespace LaserTracking.Unity
 {
     /// <summary>
     /// Feeds a pipeline from Unity's clock: a frame is due when as much time has passed in Unity as in the source. The scene's clock
-    /// is camera 0's, zero at its first frame.
+    /// is camera 0's.
     /// </summary>
     internal sealed class FramePump : IDisposable
     {
@@ -16,27 +16,29 @@ namespace LaserTracking.Unity
         private readonly RangePipeline _pipeline;
         private readonly IFrameSource _screenCamera;
         private readonly IFrameSource? _handCamera;
+        private readonly SessionRunner _runner;
+        private readonly long? _sceneTimeZeroUs;
         private readonly double _latencyS;
-        private readonly Frame _frame = new Frame();
-        private readonly Frame _handFrame = new Frame();
         private bool _hasBegun;
         private bool _hasFrame;
-        private bool _hasHandFrame;
         private long _firstTimeUs;
         private double _beganAtS;
         private double _lastUpdateS;
-        private int _screenProblems;
-        private int _handProblems;
 
         /// <param name="pipeline">Already begun.</param>
         /// <param name="screenCamera">Camera 0; owned from now on.</param>
-        /// <param name="handCamera">Camera 1, or null; owned from now on.</param>
-        /// <param name="latencyS">From the light to the frame, seconds.</param>
-        public FramePump(RangePipeline pipeline, IFrameSource screenCamera, IFrameSource? handCamera, double latencyS)
+        /// <param name="handCamera">Camera 1 or null; owned from now on.</param>
+        /// <param name="handClockOffsetUs">Brings camera 1's times on camera 0's clock.</param>
+        /// <param name="sceneTimeZeroUs">As the pipeline's: camera 0's time at scene time zero; null: its first frame's.</param>
+        /// <param name="latencyS">From the light to the frame of camera 0, seconds.</param>
+        public FramePump(RangePipeline pipeline, IFrameSource screenCamera, IFrameSource? handCamera, long handClockOffsetUs, long? sceneTimeZeroUs,
+            double latencyS)
         {
             _pipeline = pipeline;
             _screenCamera = screenCamera;
             _handCamera = handCamera;
+            _runner = new SessionRunner(pipeline, screenCamera, handCamera, handClockOffsetUs);
+            _sceneTimeZeroUs = sceneTimeZeroUs;
             _latencyS = latencyS;
         }
 
@@ -44,22 +46,22 @@ namespace LaserTracking.Unity
         public bool IsAtEnd { get; private set; }
 
         /// <summary>Seconds to add to Unity's time for the scene's clock.</summary>
-        public double ClockOffsetS => _hasBegun ? _latencyS - _beganAtS : 0;
+        public double ClockOffsetS { get; private set; }
 
         /// <summary>Processes the frames that are due.</summary>
         /// <param name="unityTimeS">Unity's time, seconds.</param>
         public void Update(double unityTimeS)
         {
+            if (IsAtEnd)
+                return;
             _lastUpdateS = unityTimeS;
             if (!_hasBegun)
                 Begin(unityTimeS);
-            double dueS = unityTimeS + ClockOffsetS;
-            for (int i = 0; i < MaxFramesPerUpdate && _hasFrame && (_frame.TimeUs - _firstTimeUs) * 1e-6 <= dueS; i++)
+            double dueS = unityTimeS - _beganAtS + _latencyS;
+            for (int i = 0; i < MaxFramesPerUpdate && _hasFrame && (_runner.Current.TimeUs - _firstTimeUs) * 1e-6 <= dueS; i++)
             {
-                ProcessHandsUntil(_frame.TimeUs);
-                _pipeline.Process(_frame);
-                _hasFrame = _screenCamera.TryRead(_frame);
-                PassOnProblems();
+                _runner.ProcessCurrent();
+                _hasFrame = _runner.TryRead();
             }
 
             if (!_hasFrame)
@@ -70,20 +72,19 @@ namespace LaserTracking.Unity
         public void Dispose()
         {
             End();
+            _runner.Dispose();
             _screenCamera.Dispose();
             _handCamera?.Dispose();
-            _frame.Dispose();
-            _handFrame.Dispose();
         }
 
         private void Begin(double unityTimeS)
         {
             _hasBegun = true;
             _beganAtS = unityTimeS;
-            _hasFrame = _screenCamera.TryRead(_frame);
-            _firstTimeUs = _frame.TimeUs;
-            _hasHandFrame = _handCamera != null && _handCamera.TryRead(_handFrame);
-            PassOnProblems();
+            _hasFrame = _runner.TryRead();
+            _firstTimeUs = _runner.Current.TimeUs;
+            // What is shown now is what the first frame saw and as much more as that frame took to get here.
+            ClockOffsetS = (_firstTimeUs - (_sceneTimeZeroUs ?? _firstTimeUs)) * 1e-6 + _latencyS - unityTimeS;
         }
 
         private void End()
@@ -92,23 +93,6 @@ namespace LaserTracking.Unity
                 return;
             IsAtEnd = true;
             _pipeline.End(_hasBegun ? _lastUpdateS - _beganAtS : 0);
-        }
-
-        private void ProcessHandsUntil(long timeUs)
-        {
-            while (_hasHandFrame && _handFrame.TimeUs <= timeUs)
-            {
-                _pipeline.ProcessHands(_handFrame);
-                _hasHandFrame = _handCamera!.TryRead(_handFrame);
-            }
-        }
-
-        private void PassOnProblems()
-        {
-            for (; _screenProblems < _screenCamera.Problems.Count; _screenProblems++)
-                _pipeline.ReportInputProblem(_screenCamera.Problems[_screenProblems]);
-            for (; _handCamera != null && _handProblems < _handCamera.Problems.Count; _handProblems++)
-                _pipeline.ReportInputProblem(_handCamera.Problems[_handProblems]);
         }
     }
 }

@@ -12,6 +12,15 @@ namespace LaserTracking.Unity
         /// </summary>
         public virtual double LatencyS => 0;
 
+        /// <summary>Microseconds to add to this source's times to bring them on camera 0's clock. Read after <see cref="CreateSource"/>.</summary>
+        public virtual long ClockOffsetUs => 0;
+
+        /// <summary>
+        /// Time of this source, microseconds, at which the scene's clock stands at zero, where it knows better (a simulation); null:
+        /// the time of its first frame. Read after <see cref="CreateSource"/>.
+        /// </summary>
+        public virtual long? SceneTimeZeroUs => null;
+
         /// <summary>Opens the source. The caller owns and disposes it.</summary>
         /// <exception cref="InputException">It cannot be opened; the message says what to do.</exception>
         public abstract IFrameSource CreateSource();

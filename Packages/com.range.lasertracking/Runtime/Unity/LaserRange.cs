@@ -1,7 +1,9 @@
 using System;
 using LaserTracking.Capture;
 using LaserTracking.Detection;
+using LaserTracking.Fusion;
 using LaserTracking.Geometry;
+using LaserTracking.Hands;
 using LaserTracking.Pipeline;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
@@ -20,6 +22,8 @@ namespace LaserTracking.Unity
     [AddComponentMenu("Laser Tracking/Laser Range")]
     public sealed class LaserRange : MonoBehaviour
     {
+        private const double SizeToleranceM = 0.005;
+
         [SerializeField]
         private ScreenSurface? _screen;
 
@@ -34,6 +38,10 @@ namespace LaserTracking.Unity
         [SerializeField]
         [Tooltip("Where the frames of camera 0, the one that sees the screen, come from.")]
         private FrameSourceAsset? _source;
+
+        [SerializeField]
+        [Tooltip("Where the depth frames of camera 1, the one that sees the trainees, come from. Without it nobody knows who fired.")]
+        private FrameSourceAsset? _handSource;
 
         [SerializeField]
         [Tooltip("Called for every shot, hit or miss.")]
@@ -84,47 +92,67 @@ namespace LaserTracking.Unity
                 return;
             }
 
+            IFrameSource? source = null, handSource = null;
             try
             {
+                RangeCalibration? calibration = ReadCalibration();
+                source = _source.CreateSource();
+                if (_handSource != null && calibration?.HandCamera != null)
+                    handSource = _handSource.CreateSource();
                 _shots = new ShotQueue(this);
-                RangePipeline pipeline = BuildPipeline(_shots);
-                IFrameSource source = _source.CreateSource();
+                var settings = new PipelineSettings { SceneTimeZeroUs = _source.SceneTimeZeroUs };
+                RangePipeline pipeline = BuildPipeline(calibration, handSource == null ? null : calibration!.HandCamera, _shots, settings);
                 pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
-                _pump = new FramePump(pipeline, source, null, _source.LatencyS);
+                _pump = new FramePump(pipeline, source, handSource, handSource == null ? 0 : _handSource!.ClockOffsetUs, _source.SceneTimeZeroUs, _source.LatencyS);
             }
             catch (InputException problem)
             {
+                source?.Dispose();
+                handSource?.Dispose();
                 Debug.LogError(problem.Message, this);
             }
         }
 
-        private RangePipeline BuildPipeline(IEventSink sink)
+        private RangePipeline BuildPipeline(RangeCalibration? calibration, HandCamera? handCamera, IEventSink sink, PipelineSettings settings) => new RangePipeline(
+            new ShotDetector(),
+            new ShotTracker(),
+            calibration,
+            handCamera == null ? null : new DepthHandTracker(handCamera.Intrinsics),
+            handCamera == null ? null : new ShooterAssignment(handCamera),
+            BuildScorer(),
+            sink,
+            settings);
+
+        private ShotScorer? BuildScorer()
         {
-            RangeCalibration? calibration = ReadCalibration();
-            ShotScorer? scorer = null;
             if (_screen == null || _viewpoint == null)
             {
                 Debug.LogWarning("LaserRange " + name + " has no " + (_screen == null ? "screen" : "viewpoint") + ": shots cannot hit anything; drag one in", this);
-            }
-            else
-            {
-                _raycaster = new PhysicsRaycaster(_hitLayers);
-                scorer = new ShotScorer(_raycaster, _screen.Pose, _screen.SizeM, _viewpoint.position.ToCore());
+                return null;
             }
 
-            return new RangePipeline(new ShotDetector(), new ShotTracker(), calibration, null, null, scorer, sink);
+            _raycaster = new PhysicsRaycaster(_hitLayers);
+            return new ShotScorer(_raycaster, _screen.Pose, _screen.SizeM, _viewpoint.position.ToCore());
         }
 
         private RangeCalibration? ReadCalibration()
         {
-            string? text = _screen == null ? null : _screen.CalibrationText;
+            if (_screen == null)
+                return null;
+            string? text = _screen.CalibrationText;
             if (text == null)
             {
                 Debug.LogWarning("LaserRange " + name + ": the screen has no calibration, so shots have no place on it and cannot hit anything; drag the calibration of camera 0 into the ScreenSurface", this);
                 return null;
             }
 
-            return RangeCalibrationFile.Parse(text, "calibration of " + _screen!.name);
+            RangeCalibration calibration = RangeCalibrationFile.Parse(text, "calibration of " + _screen.name);
+            Vector2D off = calibration.Screen.ScreenSizeM - _screen.SizeM;
+            if (off.Length > SizeToleranceM)
+                Debug.LogWarning("LaserRange " + name + ": the calibrated picture is " + calibration.Screen.ScreenSizeM + " m, the ScreenSurface " + _screen.SizeM + " m, so shots land beside what was aimed at; set one to the other", this);
+            if (_handSource != null && calibration.HandCamera == null)
+                Debug.LogWarning("LaserRange " + name + ": the calibration does not say where camera 1 stands, so its frames are not used; calibrate both cameras", this);
+            return calibration;
         }
 
         private void RaiseShots()

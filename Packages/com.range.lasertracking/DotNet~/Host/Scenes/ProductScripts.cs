@@ -38,11 +38,11 @@ internal static class ProductScripts
         [LaserRange] = new[] { "_screen", "_viewpoint", "_hitLayers", "_source" },
     };
 
-    /// <summary>Further fields by class: who is told of a shot changes nothing about what it meets.</summary>
+    /// <summary>Further fields by class: who fired and who is told of a shot change nothing about what it meets.</summary>
     public static readonly IReadOnlyDictionary<string, string[]> EventsByClass = new Dictionary<string, string[]>
     {
         [LaserTarget] = new[] { "_hit" },
-        [LaserRange] = new[] { "_shotFired" },
+        [LaserRange] = new[] { "_handSource", "_shotFired" },
     };
 
     /// <summary>Fields that every MonoBehaviour and ScriptableObject has.</summary>

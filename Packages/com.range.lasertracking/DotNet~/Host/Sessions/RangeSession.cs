@@ -45,7 +45,7 @@ namespace LaserTracking.Host.Sessions
 
             var watch = Stopwatch.StartNew();
             using var progress = new ProgressLine();
-            var runner = new SessionRunner(pipeline, plan.ScreenCamera, plan.HandCamera, plan.HandClockOffsetUs);
+            using var runner = new SessionRunner(pipeline, plan.ScreenCamera, plan.HandCamera, plan.HandClockOffsetUs);
             var pace = new Pace(plan.IsPaced, interrupted);
             runner.BeforeFrame = frame =>
             {

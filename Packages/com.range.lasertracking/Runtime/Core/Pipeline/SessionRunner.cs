@@ -6,14 +6,18 @@ namespace LaserTracking.Pipeline
 {
     /// <summary>
     /// Runs recorded or simulated sources through a pipeline to their end: merges the two cameras by time, passes on what the
-    /// sources found damaged. As fast as it can, unless a pace is given.
+    /// sources found damaged. <see cref="Run"/> goes as fast as it can, unless a pace is given; whoever has a clock of his own calls
+    /// <see cref="TryRead"/> and <see cref="ProcessCurrent"/> in turn. The sources stay the caller's.
     /// </summary>
-    public sealed class SessionRunner
+    public sealed class SessionRunner : IDisposable
     {
         private readonly RangePipeline _pipeline;
         private readonly IFrameSource _screenCamera;
         private readonly IFrameSource? _handCamera;
         private readonly long _handClockOffsetUs;
+        private readonly Frame _handFrame = new Frame();
+        private bool _hasStarted;
+        private bool _hasHandFrame;
         private int _screenProblems;
         private int _handProblems;
 
@@ -32,33 +36,57 @@ namespace LaserTracking.Pipeline
         /// <summary>Called before every frame of camera 0: the place for progress and pacing.</summary>
         public Action<Frame>? BeforeFrame { get; set; }
 
+        /// <summary>The frame of camera 0 that was read last.</summary>
+        public Frame Current { get; } = new Frame();
+
         /// <summary>Processes all frames; true when the end was reached, false when it was interrupted.</summary>
         public bool Run(CancellationToken interrupted)
         {
-            using (var frame = new Frame())
-            using (var handFrame = new Frame())
+            while (TryRead())
             {
-                bool hasHandFrame = TryReadHands(handFrame);
-                while (_screenCamera.TryRead(frame))
-                {
-                    if (interrupted.IsCancellationRequested)
-                        return false;
-                    while (hasHandFrame && handFrame.TimeUs <= frame.TimeUs)
-                    {
-                        _pipeline.ProcessHands(handFrame);
-                        hasHandFrame = TryReadHands(handFrame);
-                    }
-
-                    BeforeFrame?.Invoke(frame);
-                    _pipeline.Process(frame);
-                    PassOnProblems(_screenCamera, ref _screenProblems);
-                    if (_handCamera != null)
-                        PassOnProblems(_handCamera, ref _handProblems);
-                }
-
-                PassOnProblems(_screenCamera, ref _screenProblems);
-                return true;
+                if (interrupted.IsCancellationRequested)
+                    return false;
+                ProcessCurrent();
             }
+
+            return true;
+        }
+
+        /// <summary>Reads the next frame of camera 0 without processing it; false at the end of the stream.</summary>
+        public bool TryRead()
+        {
+            if (!_hasStarted)
+            {
+                _hasStarted = true;
+                _hasHandFrame = TryReadHands(_handFrame);
+            }
+
+            if (_screenCamera.TryRead(Current))
+                return true;
+            PassOnProblems(_screenCamera, ref _screenProblems);
+            return false;
+        }
+
+        /// <summary>Processes the current frame, before it what camera 1 saw until then.</summary>
+        public void ProcessCurrent()
+        {
+            while (_hasHandFrame && _handFrame.TimeUs <= Current.TimeUs)
+            {
+                _pipeline.ProcessHands(_handFrame);
+                _hasHandFrame = TryReadHands(_handFrame);
+            }
+
+            BeforeFrame?.Invoke(Current);
+            _pipeline.Process(Current);
+            PassOnProblems(_screenCamera, ref _screenProblems);
+            if (_handCamera != null)
+                PassOnProblems(_handCamera, ref _handProblems);
+        }
+
+        public void Dispose()
+        {
+            Current.Dispose();
+            _handFrame.Dispose();
         }
 
         private bool TryReadHands(Frame frame)
