@@ -37,7 +37,7 @@ namespace LaserTracking.Host.Sessions
                 new ShotTracker(),
                 plan.Calibration,
                 handCamera == null ? null : new DepthHandTracker(handCamera.Intrinsics),
-                handCamera == null ? null : new ShooterAssignment(handCamera),
+                handCamera == null ? null : new ShooterAssignment(handCamera, FusionFor(plan.Calibration!)),
                 plan.Scene == null ? null : new ShotScorer(plan.Scene),
                 sink,
                 new PipelineSettings { SceneTimeZeroUs = plan.SceneTimeZeroUs });
@@ -56,6 +56,9 @@ namespace LaserTracking.Host.Sessions
             pipeline.End(watch.Elapsed.TotalSeconds);
             return isComplete;
         }
+
+        private static FusionSettings FusionFor(RangeCalibration calibration) =>
+            new() { ScreenAreaM2 = calibration.Screen.ScreenSizeM.X * calibration.Screen.ScreenSizeM.Y };
 
         private static string ProgressText(Frame frame, FrameSourceInfo info, Stopwatch watch)
         {

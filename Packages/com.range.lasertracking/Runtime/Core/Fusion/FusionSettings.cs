@@ -16,9 +16,6 @@ namespace LaserTracking.Fusion
         /// </summary>
         public long MaxInterpolationUs { get; set; } = 250_000;
 
-        /// <summary>Added to every hand's time: camera 1's clock to camera 0's.</summary>
-        public long HandClockOffsetUs { get; set; }
-
         /// <summary>ε of d̂ = v / (|v| + ε), metres. Published without a value; only keeps the division from failing.</summary>
         public double EpsilonM { get; set; } = 1e-9;
 

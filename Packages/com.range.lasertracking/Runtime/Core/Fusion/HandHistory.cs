@@ -27,13 +27,12 @@ namespace LaserTracking.Fusion
         public int Count => _count;
 
         /// <param name="hands">One frame's hands, any order of frames.</param>
-        /// <param name="clockOffsetUs">Added to their time.</param>
-        public void Add(HandObservations hands, long clockOffsetUs = 0)
+        public void Add(HandObservations hands)
         {
             foreach (ref readonly HandObservation hand in hands.Hands)
             {
                 _hands[_next] = hand;
-                _timesUs[_next] = hands.TimeUs + clockOffsetUs;
+                _timesUs[_next] = hands.TimeUs;
                 _next = (_next + 1) % _hands.Length;
                 _count = Math.Min(_count + 1, _hands.Length);
             }

@@ -53,12 +53,12 @@ namespace LaserTracking.Fusion
             _chosen = new int[shots];
         }
 
-        /// <summary>Notes one frame of camera 1. Frames may come before or after the shots they belong to.</summary>
+        /// <summary>Notes one frame of camera 1, its time on camera 0's clock. Frames may come before or after the shots they belong to.</summary>
         public void AddHands(HandObservations hands)
         {
-            _history.Add(hands, _settings.HandClockOffsetUs);
+            _history.Add(hands);
             foreach (ref readonly HandObservation hand in hands.Hands)
-                _registry.See(hand.TrackId, _camera.ToScreenM(hand.MuzzleMm), hands.TimeUs + _settings.HandClockOffsetUs);
+                _registry.See(hand.TrackId, _camera.ToScreenM(hand.MuzzleMm), hands.TimeUs);
         }
 
         /// <summary>One shot that is alone in its frame.</summary>
