@@ -15,9 +15,7 @@ namespace UnityStandIn
         /// <param name="deltaSeconds">Since the last frame; not negative.</param>
         public static void Step(double deltaSeconds)
         {
-            Time.frameCount++;
-            Time.deltaTime = (float)deltaSeconds;
-            Time.timeAsDouble += deltaSeconds;
+            AdvanceTime(deltaSeconds);
             foreach (MonoBehaviour behaviour in InOrder())
             {
                 if (behaviour.isActiveAndEnabled && !behaviour.IsStarted)
@@ -37,6 +35,14 @@ namespace UnityStandIn
             SendAll("Update");
             SendAll("LateUpdate");
             World.DestroyDoomed();
+        }
+
+        /// <summary>Lets time go on without calling anyone, for tests that call a component themselves to see what it allocates.</summary>
+        public static void AdvanceTime(double deltaSeconds)
+        {
+            Time.frameCount++;
+            Time.deltaTime = (float)deltaSeconds;
+            Time.timeAsDouble += deltaSeconds;
         }
 
         /// <summary>Destroys everything and sets clock, log and physics settings back, as leaving play mode does.</summary>

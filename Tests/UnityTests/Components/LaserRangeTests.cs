@@ -142,6 +142,29 @@ namespace LaserTracking.Unity
         }
 
         [Test]
+        public void Update_OfRangeAndTargets_AllocatesNothingOnceWarm()
+        {
+            var rig = new RangeRig(new StubSource(200, 0));
+            LaserTarget onPath = RangeRig.AddPlate("path", new Vector3(0, 0, 4), 0.5f), carried = RangeRig.AddPlate("carried", new Vector3(0, 1, 4), 0.5f);
+            TargetMotion path = onPath.gameObject.AddComponent<TargetMotion>(), remembered = carried.gameObject.AddComponent<TargetMotion>();
+            SerializedFields.Set(path, "_kind", MotionKind.Sine);
+            onPath.gameObject.SetActive(true);
+            carried.gameObject.SetActive(true);
+            rig.Play(1);
+            Action[] calls = { Message(rig.Range, "Update"), Message(path, "Update"), Message(path, "LateUpdate"), Message(remembered, "LateUpdate") };
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            for (int i = 0; i < 120; i++)
+            {
+                PlayerLoop.AdvanceTime(1 / 60.0);
+                foreach (Action call in calls)
+                    call();
+            }
+
+            Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
+            Assert.That(rig.Range.IsRunning, Is.True, "frames were processed all the time");
+        }
+
+        [Test]
         public void LaserRange_WithoutCalibration_SaysSoOnceAndStillFires()
         {
             var rig = new RangeRig(new StubSource(45, 0, (FlashFrame, 320, 240)), withCalibration: false);
@@ -202,5 +225,7 @@ namespace LaserTracking.Unity
             rig.Play(0.2);
             Assert.That(ConsoleLog.Entries.Single().Message, Is.EqualTo("camera: not there; plug it in"));
         }
+
+        private static Action Message(MonoBehaviour component, string name) => (Action)Delegate.CreateDelegate(typeof(Action), component, name);
     }
 }
