@@ -53,7 +53,9 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.Compactness < _settings.MinCompactness, RejectionReason.NotCompact, candidate.Compactness, _settings.MinCompactness))
                 return;
             candidate.Strength = candidate.PeakRise * Math.Sqrt(candidate.Area / area);
-            double minStrength = _settings.MinStrength + _settings.StrengthPerActivity * candidate.Activity;
+            double minStrength = isFaint
+                ? _settings.MinFaintStrength + _settings.FaintStrengthPerActivity * candidate.Activity
+                : _settings.MinStrength + _settings.StrengthPerActivity * candidate.Activity;
             if (Fails(ref candidate, candidate.Strength < minStrength, RejectionReason.TooFaint, candidate.Strength, minStrength))
                 return;
             double elongation = candidate.LongSigma / candidate.ShortSigma;

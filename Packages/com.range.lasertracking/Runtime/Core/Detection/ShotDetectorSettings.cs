@@ -19,7 +19,7 @@ namespace LaserTracking.Detection
         public double SmoothingNoise { get; set; } = 2.5;
 
         /// <summary>Least rise of a candidate, levels, 1…255.</summary>
-        public double MinRiseLevels { get; set; } = 8;
+        public double MinRiseLevels { get; set; } = 6;
 
         /// <summary>Least rise of a candidate in standard deviations of the picture's temporal noise, 0…100.</summary>
         public double MinRiseSigmas { get; set; } = 6;
@@ -73,7 +73,7 @@ namespace LaserTracking.Detection
         public double MaxRingLevel { get; set; } = 0.25;
 
         /// <summary>The same where the rise would not be conclusive.</summary>
-        public double MaxFaintRingLevel { get; set; } = 0.2;
+        public double MaxFaintRingLevel { get; set; } = 0.14;
 
         /// <summary>The same where one frame is to suffice.</summary>
         public double ConclusiveRingLevel { get; set; } = 0.15;
@@ -117,6 +117,12 @@ namespace LaserTracking.Detection
         /// <summary>What each level of the tile's ordinary activity adds to the least strength, px at 640, 0…1000.</summary>
         public double StrengthPerActivity { get; set; } = 25;
 
+        /// <summary>Least strength where the rise would not be conclusive.</summary>
+        public double MinFaintStrength { get; set; } = 80;
+
+        /// <summary>What each level of activity adds to it.</summary>
+        public double FaintStrengthPerActivity { get; set; } = 60;
+
         /// <summary>Frames that a dot which is not conclusive may stay on before it is taken for scenery, 1…60.</summary>
         public int MaxWaitFrames { get; set; } = 5;
 
@@ -156,6 +162,8 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(ColorCoherence), ColorCoherence, 0, 1);
             SettingCheck.InRange(nameof(MinStrength), MinStrength, 0, 10000);
             SettingCheck.InRange(nameof(StrengthPerActivity), StrengthPerActivity, 0, 1000);
+            SettingCheck.InRange(nameof(MinFaintStrength), MinFaintStrength, 0, 10000);
+            SettingCheck.InRange(nameof(FaintStrengthPerActivity), FaintStrengthPerActivity, 0, 1000);
             SettingCheck.InRange(nameof(MaxWaitFrames), MaxWaitFrames, 1, 60);
             SettingCheck.InRange(nameof(MaxFaintElongation), MaxFaintElongation, 1, 100);
             SettingCheck.InRange(nameof(MaxFaintRingShare), MaxFaintRingShare, 0, 1);
