@@ -213,6 +213,8 @@ namespace LaserTracking.Detection
                 }
             }
 
+            if (candidate.Reason != RejectionReason.None && candidate.Reason != RejectionReason.TooFaint)
+                candidate.Fade(view);
             double near = 0, reach = 0;
             if (candidate.Reason == RejectionReason.None && _memory.IsHaloOf(candidate, out near, out reach))
             {
