@@ -38,8 +38,11 @@ namespace LaserTracking.Detection
         /// <summary>Relative rise that a tenth of the ring exceeds, through the candidate's own: diffuse changes have no quiet ring.</summary>
         public double RingLevel;
 
-        /// <summary>The stronger of the red and green rises since the last frame, per pixel of area, through the peak relative rise.</summary>
+        /// <summary>The strongest channel's rise since the last frame, per pixel of area, through the peak relative rise.</summary>
         public double Freshness;
+
+        /// <summary>The same of red and green alone: lasers exceed one, grey things reach it.</summary>
+        public double Vividness;
 
         /// <summary>Recent ordinary onset of the tile, levels.</summary>
         public double Activity;
@@ -61,6 +64,17 @@ namespace LaserTracking.Detection
         public double Strength;
 
         public bool IsConclusive;
+
+        /// <summary>Whatever a rejected spot's shape is, if it grows dimmer it is a light that is going out.</summary>
+        public void Fade(in FrameView view)
+        {
+            double fresh = view.Change(SeedY * view.Width + SeedX, Plane) / (double)PeakRise;
+            if (fresh >= -0.2)
+                return;
+            Reason = RejectionReason.NotNew;
+            Value = fresh;
+            Limit = 0.5;
+        }
 
         /// <summary>None: it is a dot.</summary>
         public RejectionReason Reason;

@@ -53,7 +53,9 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.Compactness < _settings.MinCompactness, RejectionReason.NotCompact, candidate.Compactness, _settings.MinCompactness))
                 return;
             candidate.Strength = candidate.PeakRise * Math.Sqrt(candidate.Area / area);
-            double minStrength = _settings.MinStrength + _settings.StrengthPerActivity * candidate.Activity;
+            double minStrength = isFaint
+                ? _settings.MinFaintStrength + _settings.FaintStrengthPerActivity * candidate.Activity
+                : _settings.MinStrength + _settings.StrengthPerActivity * candidate.Activity;
             if (Fails(ref candidate, candidate.Strength < minStrength, RejectionReason.TooFaint, candidate.Strength, minStrength))
                 return;
             double elongation = candidate.LongSigma / candidate.ShortSigma;
@@ -78,13 +80,16 @@ namespace LaserTracking.Detection
             }
 
             double minFreshness = isFaint ? _settings.MinFaintFreshness : _settings.MinFreshness;
-            if (Fails(ref candidate, candidate.Freshness < minFreshness, RejectionReason.NotNew, candidate.Freshness, minFreshness)
+
+            // On saturated backgrounds only blue has room to rise: strong candidates may count on it, faint ones must show laser light.
+            double freshness = isFaint ? candidate.Vividness : candidate.Freshness;
+            if (Fails(ref candidate, freshness < minFreshness, RejectionReason.NotNew, freshness, minFreshness)
                 || Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, fresh, 0.5))
                 return;
 
             // Large dots are bright lasers: their rim has the colour of one. Large things without it are round at least, or no dots.
-            bool isVivid = candidate.Freshness >= _settings.VividFreshness && candidate.Strength >= _settings.VividStrength;
-            bool isBlunt = candidate.Freshness < _settings.VividFreshness && candidate.Area > _settings.ConclusiveAreaPx * Scale * Scale;
+            bool isVivid = candidate.Vividness >= _settings.VividFreshness && candidate.Strength >= _settings.VividStrength;
+            bool isBlunt = candidate.Vividness < _settings.VividFreshness && candidate.Area > _settings.ConclusiveAreaPx * Scale * Scale;
             double coherence = Math.Abs(candidate.GreenCoherence);
             if (Fails(ref candidate, isBlunt && elongation > _settings.MaxBluntElongation, RejectionReason.TooElongated, elongation, _settings.MaxBluntElongation)
                 || Fails(ref candidate, isBlunt && coherence < _settings.MinBluntCoherence, RejectionReason.WrongColor, coherence, _settings.MinBluntCoherence))
@@ -96,7 +101,7 @@ namespace LaserTracking.Detection
                 || Fails(ref candidate, candidate.RingLevel > maxLevel, RejectionReason.NotIsolated, candidate.RingLevel, maxLevel))
                 return;
             candidate.MotionShare = SurroundingsMeasurer.MotionShare(view, candidate, (int)(_settings.MotionRadiusPx * Scale), Noise);
-            double maxMotion = isFaint ? _settings.ConclusiveMotionShare : _settings.MaxMotionShare;
+            double maxMotion = isFaint ? _settings.MaxFaintMotionShare : _settings.MaxMotionShare;
             if (Fails(ref candidate, candidate.MotionShare > maxMotion, RejectionReason.MovingSurroundings, candidate.MotionShare, maxMotion))
                 return;
             candidate.IsConclusive = !isFaint && !isBlunt && candidate.RingShare <= _settings.ConclusiveRingShare

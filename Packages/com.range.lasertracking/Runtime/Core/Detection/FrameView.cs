@@ -5,7 +5,6 @@ namespace LaserTracking.Detection
     {
         public int Width;
         public int Height;
-        public int Decay;
         public uint* Now;
         public uint* Before;
         public byte* OldSmallest;
@@ -30,11 +29,8 @@ namespace LaserTracking.Detection
         }
 
         /// <summary>The brightness that the pixel's own past explains.</summary>
-        public int Envelope(int i, DetectionPlane plane)
-        {
-            int old = plane == DetectionPlane.Smallest ? OldSmallest[i] : OldLargest[i];
-            return old > Decay ? old - Decay : 0;
-        }
+        public int Envelope(int i, DetectionPlane plane) =>
+            plane == DetectionPlane.Smallest ? OldSmallest[i] : OldLargest[i];
 
         /// <summary>Levels above the pixel's own past; may be negative.</summary>
         public int Rise(int i, DetectionPlane plane) => Level(Now[i], plane) - Envelope(i, plane);

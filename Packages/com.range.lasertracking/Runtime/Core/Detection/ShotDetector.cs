@@ -12,7 +12,7 @@ namespace LaserTracking.Detection
     /// </summary>
     public sealed unsafe class ShotDetector : IShotDetector
     {
-        private const int GateFloor = 4;
+        private const int GateFloor = 2;
         private readonly ShotDetectorSettings _settings;
         private readonly DetectionPlanes _planes = new DetectionPlanes();
         private readonly BlobMeasurer _blobs = new BlobMeasurer();
@@ -89,7 +89,6 @@ namespace LaserTracking.Detection
                 {
                     Width = _planes.Width,
                     Height = _planes.Height,
-                    Decay = _settings.EnvelopeDecay,
                     Now = now,
                     Before = before,
                     OldSmallest = oldMin,
@@ -214,6 +213,8 @@ namespace LaserTracking.Detection
                 }
             }
 
+            if (candidate.Reason != RejectionReason.None && candidate.Reason != RejectionReason.TooFaint)
+                candidate.Fade(view);
             double near = 0, reach = 0;
             if (candidate.Reason == RejectionReason.None && _memory.IsHaloOf(candidate, out near, out reach))
             {

@@ -19,7 +19,7 @@ namespace LaserTracking.Detection
         public double SmoothingNoise { get; set; } = 2.5;
 
         /// <summary>Least rise of a candidate, levels, 1…255.</summary>
-        public double MinRiseLevels { get; set; } = 8;
+        public double MinRiseLevels { get; set; } = 6;
 
         /// <summary>Least rise of a candidate in standard deviations of the picture's temporal noise, 0…100.</summary>
         public double MinRiseSigmas { get; set; } = 6;
@@ -73,15 +73,15 @@ namespace LaserTracking.Detection
         public double MaxRingLevel { get; set; } = 0.25;
 
         /// <summary>The same where the rise would not be conclusive.</summary>
-        public double MaxFaintRingLevel { get; set; } = 0.2;
+        public double MaxFaintRingLevel { get; set; } = 0.12;
 
         /// <summary>The same where one frame is to suffice.</summary>
         public double ConclusiveRingLevel { get; set; } = 0.15;
 
         /// <summary>The same for a vivid candidate: a strong halo is part of a laser dot.</summary>
-        public double MaxVividRingLevel { get; set; } = 0.5;
+        public double MaxVividRingLevel { get; set; } = 0.18;
 
-        /// <summary>Least rise of the stronger of red and green since the last frame, per pixel of the dot, through the peak rise, 0…100.</summary>
+        /// <summary>Least rise of the strongest channel since the last frame, per pixel of the dot, through the peak rise, 0…100.</summary>
         public double MinFreshness { get; set; } = 0.5;
 
         /// <summary>The same where the rise would not be conclusive.</summary>
@@ -105,6 +105,9 @@ namespace LaserTracking.Detection
         /// <summary>The same where one frame is to suffice.</summary>
         public double ConclusiveMotionShare { get; set; } = 0.035;
 
+        /// <summary>The same for a dot that has to wait and whose rise would not be conclusive.</summary>
+        public double MaxFaintMotionShare { get; set; } = 0.02;
+
         /// <summary>Radius of the surroundings that must be at rest, px at 640, 4…320.</summary>
         public double MotionRadiusPx { get; set; } = 40;
 
@@ -112,10 +115,16 @@ namespace LaserTracking.Detection
         public double ColorCoherence { get; set; } = 0.2;
 
         /// <summary>Least strength (rise times root of area) of a candidate, levels·px at 640, 0…10000.</summary>
-        public double MinStrength { get; set; } = 60;
+        public double MinStrength { get; set; } = 75;
 
         /// <summary>What each level of the tile's ordinary activity adds to the least strength, px at 640, 0…1000.</summary>
         public double StrengthPerActivity { get; set; } = 25;
+
+        /// <summary>Least strength where the rise would not be conclusive.</summary>
+        public double MinFaintStrength { get; set; } = 85;
+
+        /// <summary>What each level of activity adds to it.</summary>
+        public double FaintStrengthPerActivity { get; set; } = 80;
 
         /// <summary>Frames that a dot which is not conclusive may stay on before it is taken for scenery, 1…60.</summary>
         public int MaxWaitFrames { get; set; } = 5;
@@ -152,10 +161,13 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(VividFreshness), VividFreshness, 0, 100);
             SettingCheck.InRange(nameof(MaxMotionShare), MaxMotionShare, 0, 1);
             SettingCheck.InRange(nameof(ConclusiveMotionShare), ConclusiveMotionShare, 0, 1);
+            SettingCheck.InRange(nameof(MaxFaintMotionShare), MaxFaintMotionShare, 0, 1);
             SettingCheck.InRange(nameof(MotionRadiusPx), MotionRadiusPx, 4, 320);
             SettingCheck.InRange(nameof(ColorCoherence), ColorCoherence, 0, 1);
             SettingCheck.InRange(nameof(MinStrength), MinStrength, 0, 10000);
             SettingCheck.InRange(nameof(StrengthPerActivity), StrengthPerActivity, 0, 1000);
+            SettingCheck.InRange(nameof(MinFaintStrength), MinFaintStrength, 0, 10000);
+            SettingCheck.InRange(nameof(FaintStrengthPerActivity), FaintStrengthPerActivity, 0, 1000);
             SettingCheck.InRange(nameof(MaxWaitFrames), MaxWaitFrames, 1, 60);
             SettingCheck.InRange(nameof(MaxFaintElongation), MaxFaintElongation, 1, 100);
             SettingCheck.InRange(nameof(MaxFaintRingShare), MaxFaintRingShare, 0, 1);

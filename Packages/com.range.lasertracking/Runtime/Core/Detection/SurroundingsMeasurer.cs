@@ -107,7 +107,7 @@ namespace LaserTracking.Detection
             int marginX = 1 + (candidate.Right - candidate.Left + 1) * 3 / 10, marginY = 1 + (candidate.Bottom - candidate.Top + 1) * 3 / 10;
             int x0 = Math.Max(0, candidate.Left - marginX), x1 = Math.Min(view.Width - 1, candidate.Right + marginX);
             int y0 = Math.Max(0, candidate.Top - marginY), y1 = Math.Min(view.Height - 1, candidate.Bottom + marginY);
-            double red = 0, green = 0, either = 0;
+            double red = 0, green = 0, blue = 0, either = 0;
             for (int y = y0; y <= y1; y++)
             {
                 for (int x = x0; x <= x1; x++)
@@ -115,6 +115,7 @@ namespace LaserTracking.Detection
                     uint now = view.Now[y * view.Width + x], before = view.Before[y * view.Width + x];
                     double greenShare = Share((int)(now >> 8 & 255), (int)(before >> 8 & 255));
                     double redShare = Share((int)(now >> 16 & 255), (int)(before >> 16 & 255));
+                    blue += Share((int)(now & 255), (int)(before & 255));
                     green += greenShare;
                     red += redShare;
                     either += Math.Abs(greenShare - redShare);
@@ -124,7 +125,9 @@ namespace LaserTracking.Detection
             candidate.RedRise = red;
             candidate.GreenRise = green;
             candidate.GreenCoherence = either > 0 ? (green - red) / either : 0;
-            candidate.Freshness = Math.Max(red, green) * 255 / ((double)candidate.Area * candidate.PeakRelativeRise);
+            double unit = 255 / ((double)candidate.Area * candidate.PeakRelativeRise);
+            candidate.Vividness = Math.Max(red, green) * unit;
+            candidate.Freshness = Math.Max(blue * unit, candidate.Vividness);
         }
 
         private static double Share(int now, int before) => (now - before) / (double)(255 - before + 8);

@@ -48,11 +48,11 @@ namespace LaserTracking.Detection
 
         private static void Block(Vector256<byte> level, Vector256<byte> decay, byte* old, byte* next, byte* column)
         {
-            Vector256<byte> envelope = Avx2.SubtractSaturate(Avx.LoadVector256(old), decay);
+            Vector256<byte> envelope = Avx.LoadVector256(old);
             Vector256<byte> headroom = Avx2.ShiftRightLogical(Avx2.Xor(envelope, Vector256<byte>.AllBitsSet).AsUInt16(), HeadroomShift).AsByte()
                 & Vector256.Create((byte)(0xFF >> HeadroomShift));
             Vector256<byte> onset = Avx2.SubtractSaturate(Avx2.SubtractSaturate(level, envelope), headroom);
-            Avx.Store(next, Avx2.Max(level, envelope));
+            Avx.Store(next, Avx2.Max(level, Avx2.SubtractSaturate(envelope, decay)));
             Avx.Store(column, Avx2.Max(Avx.LoadVector256(column), onset));
         }
     }

@@ -42,9 +42,9 @@ namespace LaserTracking.Detection
 
         private static void Pixel(int level, int decay, int old, byte* next, byte* column)
         {
-            int envelope = old > decay ? old - decay : 0;
-            int onset = level - envelope - (255 - envelope >> HeadroomShift);
-            *next = (byte)(level > envelope ? level : envelope);
+            int onset = level - old - (255 - old >> HeadroomShift);
+            int faded = old > decay ? old - decay : 0;
+            *next = (byte)(level > faded ? level : faded);
             if (onset > *column)
                 *column = (byte)onset;
         }
