@@ -79,7 +79,7 @@ namespace LaserTracking.Simulation
             double lane = Math.Abs(p.X / 1.6 - Math.Round(p.X / 1.6)) * 1.6;
             double mark = Math.Abs(p.Z / 5 - Math.Round(p.Z / 5)) * 5;
             float line = Math.Max(Edge(lane, 0.03), p.Z > 1 ? Edge(mark, 0.05) : 0);
-            return Vector3.Lerp(color, new Vector3(70, 170, 190), 0.55f * line);
+            return Mix.Of(color, new Vector3(70, 170, 190), 0.55f * line);
         }
 
         private Vector3 Ceiling(Vector3D p)
@@ -97,8 +97,8 @@ namespace LaserTracking.Simulation
             double panel = Math.Abs(p.Z / 1.25 - Math.Round(p.Z / 1.25)) * 1.25;
             float joint = Edge(panel, 0.02);
             float stripe = Edge(Math.Abs(p.Y - (_floor + 1.0)), 0.06);
-            Vector3 color = Vector3.Lerp(new Vector3(112, 106, 98) * grain, new Vector3(60, 56, 52), joint);
-            return Vector3.Lerp(color, new Vector3(60, 130, 160), 0.7f * stripe) * 0.8f;
+            Vector3 color = Mix.Of(new Vector3(112, 106, 98) * grain, new Vector3(60, 56, 52), joint);
+            return Mix.Of(color, new Vector3(60, 130, 160), 0.7f * stripe) * 0.8f;
         }
 
         private static float Edge(double distance, double halfWidth) =>
