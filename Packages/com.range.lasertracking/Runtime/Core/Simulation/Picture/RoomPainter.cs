@@ -85,10 +85,11 @@ namespace LaserTracking.Simulation
         private Vector3 Ceiling(Vector3D p)
         {
             var color = new Vector3(46, 44, 42);
-            double z = p.Z / 2.5 - Math.Floor(p.Z / 2.5);
-            bool lamp = z > 0.42 && z < 0.58 && Math.Abs(p.X) < _side * 0.72;
+            // Four rows of lamps in a deep bay, one every 2.5 m in a short one.
+            double spacing = Math.Max(2.5, (_back + 1) / 4), z = p.Z - spacing * Math.Floor(p.Z / spacing);
+            bool lamp = Math.Abs(z - spacing / 2) < 0.2 && Math.Abs(p.X) < _side * 0.72;
             // Baffles of wood between the lamps.
-            return lamp ? new Vector3(205, 212, 214) : z < 0.2 ? new Vector3(50, 68, 84) : color;
+            return lamp ? new Vector3(205, 212, 214) : z < 0.5 ? new Vector3(50, 68, 84) : color;
         }
 
         private Vector3 Side(Vector3D p)
