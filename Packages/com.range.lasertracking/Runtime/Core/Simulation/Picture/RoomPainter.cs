@@ -79,16 +79,17 @@ namespace LaserTracking.Simulation
             double lane = Math.Abs(p.X / 1.6 - Math.Round(p.X / 1.6)) * 1.6;
             double mark = Math.Abs(p.Z / 5 - Math.Round(p.Z / 5)) * 5;
             float line = Math.Max(Edge(lane, 0.03), p.Z > 1 ? Edge(mark, 0.05) : 0);
-            return Vector3.Lerp(color, new Vector3(70, 170, 190), 0.55f * line);
+            return Mix.Of(color, new Vector3(70, 170, 190), 0.55f * line);
         }
 
         private Vector3 Ceiling(Vector3D p)
         {
             var color = new Vector3(46, 44, 42);
-            double z = p.Z / 2.5 - Math.Floor(p.Z / 2.5);
-            bool lamp = z > 0.42 && z < 0.58 && Math.Abs(p.X) < _side * 0.72;
+            // Four rows of lamps in a deep bay, one every 2.5 m in a short one.
+            double spacing = Math.Max(2.5, (_back + 1) / 4), z = p.Z - spacing * Math.Floor(p.Z / spacing);
+            bool lamp = Math.Abs(z - spacing / 2) < 0.2 && Math.Abs(p.X) < _side * 0.72;
             // Baffles of wood between the lamps.
-            return lamp ? new Vector3(205, 212, 214) : z < 0.2 ? new Vector3(50, 68, 84) : color;
+            return lamp ? new Vector3(205, 212, 214) : z < 0.5 ? new Vector3(50, 68, 84) : color;
         }
 
         private Vector3 Side(Vector3D p)
@@ -97,8 +98,8 @@ namespace LaserTracking.Simulation
             double panel = Math.Abs(p.Z / 1.25 - Math.Round(p.Z / 1.25)) * 1.25;
             float joint = Edge(panel, 0.02);
             float stripe = Edge(Math.Abs(p.Y - (_floor + 1.0)), 0.06);
-            Vector3 color = Vector3.Lerp(new Vector3(112, 106, 98) * grain, new Vector3(60, 56, 52), joint);
-            return Vector3.Lerp(color, new Vector3(60, 130, 160), 0.7f * stripe) * 0.8f;
+            Vector3 color = Mix.Of(new Vector3(112, 106, 98) * grain, new Vector3(60, 56, 52), joint);
+            return Mix.Of(color, new Vector3(60, 130, 160), 0.7f * stripe) * 0.8f;
         }
 
         private static float Edge(double distance, double halfWidth) =>

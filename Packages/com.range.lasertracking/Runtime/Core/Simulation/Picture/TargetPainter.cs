@@ -83,7 +83,7 @@ namespace LaserTracking.Simulation
             float scuff = ValueNoise.At(p.X * 60, p.Y * 60, _layer + 10);
             light *= scuff > 0.86f ? 0.8f : 0.97f + 0.03f * scuff;
             Vector3 color = new Vector3(206, 214, 216) * light;
-            return Vector3.Lerp(color, new Vector3(96, 98, 100), 0.75f * Cover(-outline - 0.012, Math.Max(texelM, 0.006)) * 1f);
+            return Mix.Of(color, new Vector3(96, 98, 100), 0.75f * Cover(-outline - 0.012, Math.Max(texelM, 0.006)) * 1f);
         }
 
         private Vector3 Rings(Vector2D p, double texelM)
@@ -94,8 +94,8 @@ namespace LaserTracking.Simulation
             for (int i = _corners.Length - 1; i >= 0; i--)
             {
                 double distance = Distance(i, p);
-                color = Vector3.Lerp(color, i < black ? ink : paper, Cover(distance, texelM));
-                color = Vector3.Lerp(color, i < black ? paper * 0.9f : ink, 0.8f * Line(distance, 0.004, texelM));
+                color = Mix.Of(color, i < black ? ink : paper, Cover(distance, texelM));
+                color = Mix.Of(color, i < black ? paper * 0.9f : ink, 0.8f * Line(distance, 0.004, texelM));
             }
 
             return color;
@@ -106,8 +106,8 @@ namespace LaserTracking.Simulation
             float grain = 0.93f + 0.09f * ValueNoise.At(p.X * 9, p.Y * 45, _layer + 30) + 0.04f * (float)(p.Y / _definition.SizeM.Y);
             Vector3 color = new Vector3(98, 150, 188) * grain;
             for (int i = 0; i < _corners.Length; i++)
-                color = Vector3.Lerp(color, new Vector3(48, 84, 112), 0.75f * Line(Distance(i, p), 0.006, texelM));
-            return Vector3.Lerp(color, new Vector3(58, 92, 118), 0.6f * Cover(-outline - 0.008, Math.Max(texelM, 0.006)));
+                color = Mix.Of(color, new Vector3(48, 84, 112), 0.75f * Line(Distance(i, p), 0.006, texelM));
+            return Mix.Of(color, new Vector3(58, 92, 118), 0.6f * Cover(-outline - 0.008, Math.Max(texelM, 0.006)));
         }
 
         private Vector3 NoShoot(Vector2D p, double outline, double texelM)
@@ -115,13 +115,13 @@ namespace LaserTracking.Simulation
             float grain = 0.97f + 0.03f * ValueNoise.At(p.X * 20, p.Y * 20, _layer + 40);
             Vector3 color = new Vector3(224, 226, 226) * grain;
             for (int i = 0; i < _corners.Length; i++)
-                color = Vector3.Lerp(color, new Vector3(170, 170, 172), 0.6f * Line(Distance(i, p), 0.005, texelM));
+                color = Mix.Of(color, new Vector3(170, 170, 172), 0.6f * Line(Distance(i, p), 0.005, texelM));
             // A red cross through the body says "do not shoot" from any distance.
             double half = Math.Min(_definition.SizeM.X, _definition.SizeM.Y) * 0.3;
             double x = (p.X + p.Y) / Math.Sqrt(2), y = (p.X - p.Y) / Math.Sqrt(2);
             double bar = Math.Min(ZoneDistance.Box(new Vector2D(x, y), half, half * 0.16), ZoneDistance.Box(new Vector2D(y, x), half, half * 0.16));
-            color = Vector3.Lerp(color, new Vector3(38, 30, 196), Cover(bar, texelM));
-            return Vector3.Lerp(color, new Vector3(38, 30, 170), 0.9f * Cover(-outline - 0.014, Math.Max(texelM, 0.006)));
+            color = Mix.Of(color, new Vector3(38, 30, 196), Cover(bar, texelM));
+            return Mix.Of(color, new Vector3(38, 30, 170), 0.9f * Cover(-outline - 0.014, Math.Max(texelM, 0.006)));
         }
 
         private Vector4 Stand(Vector2D p, double texelM)

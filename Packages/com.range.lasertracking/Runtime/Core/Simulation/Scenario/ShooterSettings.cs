@@ -21,9 +21,9 @@ namespace LaserTracking.Simulation
         /// <summary>The other hand supports the weapon hand; otherwise it hangs down.</summary>
         public bool TwoHanded { get; set; }
 
-        public LaserSettings Laser { get; private set; } = new LaserSettings();
+        public LaserSettings Laser { get; } = new LaserSettings();
 
-        public TremorSettings Tremor { get; private set; } = new TremorSettings();
+        public TremorSettings Tremor { get; } = new TremorSettings();
 
         /// <summary>Standard deviation of the aim per shot along each axis, mrad; not for shots at a screen point.</summary>
         public double AimErrorMrad { get; set; } = 6;

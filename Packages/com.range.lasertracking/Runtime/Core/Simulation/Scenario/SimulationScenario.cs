@@ -17,13 +17,13 @@ namespace LaserTracking.Simulation
         /// <summary>Length in seconds.</summary>
         public double DurationS { get; set; } = 10;
 
-        public ColorCameraSettings ColorCamera { get; private set; } = new ColorCameraSettings();
+        public ColorCameraSettings ColorCamera { get; } = new ColorCameraSettings();
 
-        public DepthCameraSettings DepthCamera { get; private set; } = new DepthCameraSettings();
+        public DepthCameraSettings DepthCamera { get; } = new DepthCameraSettings();
 
-        public ProjectorSettings Projector { get; private set; } = new ProjectorSettings();
+        public ProjectorSettings Projector { get; } = new ProjectorSettings();
 
-        public RoomSettings Room { get; private set; } = new RoomSettings();
+        public RoomSettings Room { get; } = new RoomSettings();
 
         /// <summary>Shooter number 1 is the first. Shots name them by number.</summary>
         public List<ShooterSettings> Shooters { get; } = new List<ShooterSettings>();
@@ -32,7 +32,7 @@ namespace LaserTracking.Simulation
         public List<ShotSettings> Shots { get; } = new List<ShotSettings>();
 
         /// <summary>Shots drawn at random in addition; none by default.</summary>
-        public ShotGeneratorSettings Generator { get; private set; } = new ShotGeneratorSettings();
+        public ShotGeneratorSettings Generator { get; } = new ShotGeneratorSettings();
 
         /// <summary>Bumps of camera 0.</summary>
         public List<NudgeSettings> Nudges { get; } = new List<NudgeSettings>();
