@@ -3,8 +3,10 @@ using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 using LaserTracking.Capture;
+using LaserTracking.Host.Pictures;
 using LaserTracking.Host.Scenes;
 using LaserTracking.Host.Sessions;
+using LaserTracking.Imaging;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
 using LaserTracking.Simulation;
@@ -47,12 +49,20 @@ namespace LaserTracking.Host.Commands
                 Inputs = new[] { new SessionInput("Samples~/Demo/demo.scenario.json", InputHash.Of(scenarioFile).Sha256) },
                 Seed = scenario.Seed,
             };
-            var outputs = new SessionOutputs(Path.Combine(folder, "events.jsonl"), null, folder);
+            var outputs = new SessionOutputs(Path.Combine(folder, "events.jsonl"), null, folder) { BackgroundPng = DrawPicture(range) };
             int exitCode = outputs.Run(plan, "Demo session", interrupted);
             if (exitCode == ExitCodes.Done)
                 TruthComparison.Print(outputs.Recorder, range.Truth);
             System.Console.WriteLine($"the report: {Path.Combine(folder, "report.html")}");
             return exitCode;
+        }
+
+        /// <summary>What the projector showed at the beginning, for the report.</summary>
+        private static byte[] DrawPicture(SimulatedRange range)
+        {
+            using var picture = new Image();
+            range.DrawPicture(0, picture);
+            return PngEncoder.Encode(picture);
         }
     }
 }

@@ -23,7 +23,7 @@ namespace LaserTracking.Host.Sessions
             _reportFolder = reportFolder;
         }
 
-        /// <summary>A picture of the projected screen for the report, PNG; null: plain.</summary>
+        /// <summary>What the projector showed as the scene's clock began, for the report, PNG; null: plain.</summary>
         public byte[]? BackgroundPng { get; set; }
 
         /// <summary>What the last run found.</summary>
@@ -62,6 +62,7 @@ namespace LaserTracking.Host.Sessions
                 ScreenSizeM = plan.Calibration?.Screen.ScreenSizeM,
                 ImageSizePx = new Geometry.Vector2D(plan.ScreenCamera.Info.Width, plan.ScreenCamera.Info.Height),
                 BackgroundPng = BackgroundPng,
+                PictureTimeS = BackgroundPng == null ? null : 0,
             };
             file.Stream.Write(ReportBuilder.BuildUtf8(Recorder, options));
             file.Commit();
