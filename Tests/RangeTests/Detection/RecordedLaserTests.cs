@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.ComponentModel;
 using System.Diagnostics;
 using System.IO;
 using LaserTracking.Capture;
@@ -12,6 +11,7 @@ using NUnit.Framework;
 namespace LaserTracking.Detection
 {
     /// <summary>The recording with four shots, a flash and moving shapes, decoded by ffmpeg into each raw format.</summary>
+    [Category("Reference")]
     public sealed class RecordedLaserTests
     {
         private const int Width = 1280;
@@ -73,7 +73,7 @@ namespace LaserTracking.Detection
             {
                 return Process.Start(start)!;
             }
-            catch (Win32Exception)
+            catch (System.ComponentModel.Win32Exception)
             {
                 Assert.Ignore("ffmpeg is not installed");
                 throw;

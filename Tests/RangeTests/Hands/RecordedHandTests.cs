@@ -9,6 +9,7 @@ using NUnit.Framework;
 namespace LaserTracking.Hands;
 
 /// <summary>The trackers on recordings of a hand whose path is known, with and without lost depth.</summary>
+[Category("Reference")]
 public sealed class RecordedHandTests
 {
     [TestCase("rec_hand_nfov")]

@@ -8,6 +8,7 @@ using NUnit.Framework;
 namespace LaserTracking.Imaging;
 
 /// <summary>The JPEG decoder beside FFmpeg's and beside the conversion of the Azure Kinect library.</summary>
+[Category("Reference")]
 public sealed class JpegReferenceTests
 {
     private readonly JpegDecoder _decoder = new();
