@@ -108,6 +108,15 @@ namespace LaserTracking.Detection
         /// <summary>The same for a dot that has to wait and whose rise would not be conclusive.</summary>
         public double MaxFaintMotionShare { get; set; } = 0.02;
 
+        /// <summary>The same for an exemplary dot: strong, compact, round, small and with a silent ring.</summary>
+        public double MaxExemplaryMotionShare { get; set; } = 0.35;
+
+        /// <summary>Least rise of an exemplary dot, share of the headroom 0…1.</summary>
+        public double ExemplaryRise { get; set; } = 0.75;
+
+        /// <summary>Least compactness of an exemplary dot, 0…1.</summary>
+        public double ExemplaryCompactness { get; set; } = 0.88;
+
         /// <summary>Radius of the surroundings that must be at rest, px at 640, 4…320.</summary>
         public double MotionRadiusPx { get; set; } = 40;
 
@@ -162,6 +171,9 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MaxMotionShare), MaxMotionShare, 0, 1);
             SettingCheck.InRange(nameof(ConclusiveMotionShare), ConclusiveMotionShare, 0, 1);
             SettingCheck.InRange(nameof(MaxFaintMotionShare), MaxFaintMotionShare, 0, 1);
+            SettingCheck.InRange(nameof(MaxExemplaryMotionShare), MaxExemplaryMotionShare, 0, 1);
+            SettingCheck.InRange(nameof(ExemplaryRise), ExemplaryRise, 0, 1);
+            SettingCheck.InRange(nameof(ExemplaryCompactness), ExemplaryCompactness, 0, 1);
             SettingCheck.InRange(nameof(MotionRadiusPx), MotionRadiusPx, 4, 320);
             SettingCheck.InRange(nameof(ColorCoherence), ColorCoherence, 0, 1);
             SettingCheck.InRange(nameof(MinStrength), MinStrength, 0, 10000);
