@@ -79,7 +79,7 @@ namespace LaserTracking.Detection
         public double ConclusiveRingLevel { get; set; } = 0.15;
 
         /// <summary>The same for a vivid candidate: a strong halo is part of a laser dot.</summary>
-        public double MaxVividRingLevel { get; set; } = 0.18;
+        public double MaxVividRingLevel { get; set; } = 0.13;
 
         /// <summary>Least rise of the strongest channel since the last frame, per pixel of the dot, through the peak rise, 0…100.</summary>
         public double MinFreshness { get; set; } = 0.5;
@@ -109,7 +109,7 @@ namespace LaserTracking.Detection
         public double MaxFaintMotionShare { get; set; } = 0.02;
 
         /// <summary>The same for an exemplary dot: strong, compact, round, small and with a silent ring.</summary>
-        public double MaxExemplaryMotionShare { get; set; } = 0.35;
+        public double MaxExemplaryMotionShare { get; set; } = 0.6;
 
         /// <summary>Least rise of an exemplary dot, share of the headroom 0…1.</summary>
         public double ExemplaryRise { get; set; } = 0.75;
