@@ -123,6 +123,9 @@ namespace LaserTracking.Detection
         /// <summary>Share of the red-green differences over the dot that must point one way for a colour to be named, 0…1.</summary>
         public double ColorCoherence { get; set; } = 0.2;
 
+        /// <summary>Least room that the other colour must have had left for a colour to be named, mean levels, 0…255.</summary>
+        public double MinColorHeadroom { get; set; } = 4;
+
         /// <summary>Least strength (rise times root of area) of a candidate, levels·px at 640, 0…10000.</summary>
         public double MinStrength { get; set; } = 75;
 
@@ -176,6 +179,7 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(ExemplaryCompactness), ExemplaryCompactness, 0, 1);
             SettingCheck.InRange(nameof(MotionRadiusPx), MotionRadiusPx, 4, 320);
             SettingCheck.InRange(nameof(ColorCoherence), ColorCoherence, 0, 1);
+            SettingCheck.InRange(nameof(MinColorHeadroom), MinColorHeadroom, 0, 255);
             SettingCheck.InRange(nameof(MinStrength), MinStrength, 0, 10000);
             SettingCheck.InRange(nameof(StrengthPerActivity), StrengthPerActivity, 0, 1000);
             SettingCheck.InRange(nameof(MinFaintStrength), MinFaintStrength, 0, 10000);
