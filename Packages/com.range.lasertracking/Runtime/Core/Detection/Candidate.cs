@@ -57,6 +57,10 @@ namespace LaserTracking.Detection
         public double RedRise;
         public double GreenRise;
 
+        /// <summary>Mean room that red and green had left in the frame before, levels: without any, its silence says nothing.</summary>
+        public double RedHeadroom;
+        public double GreenHeadroom;
+
         /// <summary>How much of all red-green difference points one way: +1 all green, -1 all red, 0 as much of either.</summary>
         public double GreenCoherence;
 

@@ -101,13 +101,19 @@ namespace LaserTracking.Detection
                 || Fails(ref candidate, candidate.RingLevel > maxLevel, RejectionReason.NotIsolated, candidate.RingLevel, maxLevel))
                 return;
             candidate.MotionShare = SurroundingsMeasurer.MotionShare(view, candidate, (int)(_settings.MotionRadiusPx * Scale), Noise);
-            double maxMotion = isFaint ? _settings.MaxFaintMotionShare : _settings.MaxMotionShare;
+            double maxMotion = isFaint ? _settings.MaxFaintMotionShare : IsExemplary(candidate, elongation) ? _settings.MaxExemplaryMotionShare : _settings.MaxMotionShare;
             if (Fails(ref candidate, candidate.MotionShare > maxMotion, RejectionReason.MovingSurroundings, candidate.MotionShare, maxMotion))
                 return;
             candidate.IsConclusive = !isFaint && !isBlunt && candidate.RingShare <= _settings.ConclusiveRingShare
                 && candidate.RingLevel <= _settings.ConclusiveRingLevel && candidate.MotionShare <= _settings.ConclusiveMotionShare
                 && elongation <= _settings.ConclusiveElongation;
         }
+
+        /// <summary>So much like a dot in itself that only its neighbourhood speaks against it: a bumped camera must not hide it.</summary>
+        private bool IsExemplary(in Candidate candidate, double elongation) =>
+            candidate.PeakRelativeRise >= 255 * _settings.ExemplaryRise && candidate.Compactness >= _settings.ExemplaryCompactness
+            && candidate.Area <= _settings.ConclusiveAreaPx * Scale * Scale && elongation <= _settings.MaxLargestElongation
+            && candidate.RingShare <= _settings.MaxFaintRingShare && candidate.RingLevel <= _settings.MaxFaintRingLevel;
 
         private static bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit)
         {

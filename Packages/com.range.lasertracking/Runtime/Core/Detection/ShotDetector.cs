@@ -240,9 +240,10 @@ namespace LaserTracking.Detection
 
         private LaserColor ColorOf(in Candidate candidate)
         {
-            if (candidate.GreenCoherence >= _settings.ColorCoherence && candidate.GreenRise > 0)
+            if (candidate.GreenCoherence >= _settings.ColorCoherence && candidate.GreenRise > 0 && candidate.RedHeadroom >= _settings.MinColorHeadroom)
                 return LaserColor.Green;
-            return candidate.GreenCoherence <= -_settings.ColorCoherence && candidate.RedRise > 0 ? LaserColor.Red : LaserColor.Unknown;
+            bool isRed = candidate.GreenCoherence <= -_settings.ColorCoherence && candidate.RedRise > 0;
+            return isRed && candidate.GreenHeadroom >= _settings.MinColorHeadroom ? LaserColor.Red : LaserColor.Unknown;
         }
 
         private ConfidenceFactors Factors(in Candidate candidate, Vector2D positionPx, Image image)

@@ -79,7 +79,7 @@ namespace LaserTracking.Detection
         public double ConclusiveRingLevel { get; set; } = 0.15;
 
         /// <summary>The same for a vivid candidate: a strong halo is part of a laser dot.</summary>
-        public double MaxVividRingLevel { get; set; } = 0.18;
+        public double MaxVividRingLevel { get; set; } = 0.13;
 
         /// <summary>Least rise of the strongest channel since the last frame, per pixel of the dot, through the peak rise, 0…100.</summary>
         public double MinFreshness { get; set; } = 0.5;
@@ -108,11 +108,23 @@ namespace LaserTracking.Detection
         /// <summary>The same for a dot that has to wait and whose rise would not be conclusive.</summary>
         public double MaxFaintMotionShare { get; set; } = 0.02;
 
+        /// <summary>The same for an exemplary dot: strong, compact, round, small and with a silent ring.</summary>
+        public double MaxExemplaryMotionShare { get; set; } = 0.6;
+
+        /// <summary>Least rise of an exemplary dot, share of the headroom 0…1.</summary>
+        public double ExemplaryRise { get; set; } = 0.75;
+
+        /// <summary>Least compactness of an exemplary dot, 0…1.</summary>
+        public double ExemplaryCompactness { get; set; } = 0.88;
+
         /// <summary>Radius of the surroundings that must be at rest, px at 640, 4…320.</summary>
         public double MotionRadiusPx { get; set; } = 40;
 
         /// <summary>Share of the red-green differences over the dot that must point one way for a colour to be named, 0…1.</summary>
         public double ColorCoherence { get; set; } = 0.2;
+
+        /// <summary>Least room that the other colour must have had left for a colour to be named, mean levels, 0…255.</summary>
+        public double MinColorHeadroom { get; set; } = 4;
 
         /// <summary>Least strength (rise times root of area) of a candidate, levels·px at 640, 0…10000.</summary>
         public double MinStrength { get; set; } = 75;
@@ -162,8 +174,12 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MaxMotionShare), MaxMotionShare, 0, 1);
             SettingCheck.InRange(nameof(ConclusiveMotionShare), ConclusiveMotionShare, 0, 1);
             SettingCheck.InRange(nameof(MaxFaintMotionShare), MaxFaintMotionShare, 0, 1);
+            SettingCheck.InRange(nameof(MaxExemplaryMotionShare), MaxExemplaryMotionShare, 0, 1);
+            SettingCheck.InRange(nameof(ExemplaryRise), ExemplaryRise, 0, 1);
+            SettingCheck.InRange(nameof(ExemplaryCompactness), ExemplaryCompactness, 0, 1);
             SettingCheck.InRange(nameof(MotionRadiusPx), MotionRadiusPx, 4, 320);
             SettingCheck.InRange(nameof(ColorCoherence), ColorCoherence, 0, 1);
+            SettingCheck.InRange(nameof(MinColorHeadroom), MinColorHeadroom, 0, 255);
             SettingCheck.InRange(nameof(MinStrength), MinStrength, 0, 10000);
             SettingCheck.InRange(nameof(StrengthPerActivity), StrengthPerActivity, 0, 1000);
             SettingCheck.InRange(nameof(MinFaintStrength), MinFaintStrength, 0, 10000);

@@ -108,6 +108,7 @@ namespace LaserTracking.Detection
             int x0 = Math.Max(0, candidate.Left - marginX), x1 = Math.Min(view.Width - 1, candidate.Right + marginX);
             int y0 = Math.Max(0, candidate.Top - marginY), y1 = Math.Min(view.Height - 1, candidate.Bottom + marginY);
             double red = 0, green = 0, blue = 0, either = 0;
+            int redRoom = 0, greenRoom = 0;
             for (int y = y0; y <= y1; y++)
             {
                 for (int x = x0; x <= x1; x++)
@@ -115,6 +116,8 @@ namespace LaserTracking.Detection
                     uint now = view.Now[y * view.Width + x], before = view.Before[y * view.Width + x];
                     double greenShare = Share((int)(now >> 8 & 255), (int)(before >> 8 & 255));
                     double redShare = Share((int)(now >> 16 & 255), (int)(before >> 16 & 255));
+                    redRoom += 255 - (int)(before >> 16 & 255);
+                    greenRoom += 255 - (int)(before >> 8 & 255);
                     blue += Share((int)(now & 255), (int)(before & 255));
                     green += greenShare;
                     red += redShare;
@@ -122,6 +125,9 @@ namespace LaserTracking.Detection
                 }
             }
 
+            int pixels = (x1 - x0 + 1) * (y1 - y0 + 1);
+            candidate.RedHeadroom = redRoom / (double)pixels;
+            candidate.GreenHeadroom = greenRoom / (double)pixels;
             candidate.RedRise = red;
             candidate.GreenRise = green;
             candidate.GreenCoherence = either > 0 ? (green - red) / either : 0;
