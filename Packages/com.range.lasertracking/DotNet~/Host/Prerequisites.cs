@@ -28,7 +28,7 @@ namespace LaserTracking.Host
         /// <summary>Installs a missing program when RANGE_INSTALL=1 is set; says so on standard error. Otherwise does nothing.</summary>
         public static void InstallIfAsked(string program)
         {
-            if (Environment.GetEnvironmentVariable("RANGE_INSTALL") != "1" || !OperatingSystem.IsLinux() || Locate(program) != null)
+            if (Environment.GetEnvironmentVariable("RANGE_INSTALL") != "1" || Locate("apt-get") == null || Locate(program) != null)
                 return;
             Console.Error.WriteLine($"installing {program} …");
             ChildProcess.Run("apt-get", new[] { "update", "-q" }, null, CancellationToken.None);

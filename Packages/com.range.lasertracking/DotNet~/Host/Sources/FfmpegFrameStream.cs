@@ -45,7 +45,7 @@ internal sealed class FfmpegFrameStream : IDisposable
         Append(start, "-copyts", "-protocol_whitelist", "file,pipe");
         foreach (string argument in input)
             start.ArgumentList.Add(argument);
-        Append(start, "-map", "0:V:0", Tools.PassthroughOption(program), "passthrough", "-enc_time_base", "1:1000000", "-vf", filters);
+        Append(start, "-map", "0:V:0", FfmpegProgram.PassthroughOption(program), "passthrough", "-enc_time_base", "1:1000000", "-vf", filters);
         Append(start, "-f", "rawvideo", "-pix_fmt", "bgra", "pipe:1");
 
         _process = Process.Start(start) ?? throw new InvalidOperationException("ffmpeg did not start");

@@ -201,7 +201,7 @@ public sealed class ImageFolderSource : IFrameSource
 
         _streamStart = index;
         _streamEnd = end;
-        _stream = new FfmpegFrameStream(Tools.Require("ffmpeg", _folder.Path), ["-f", "concat", "-safe", "0", "-i", "pipe:0"],
+        _stream = new FfmpegFrameStream(FfmpegProgram.Require("ffmpeg", _folder.Path), ["-f", "concat", "-safe", "0", "-i", "pipe:0"],
             Info.Width, Info.Height, list.ToString());
     }
 

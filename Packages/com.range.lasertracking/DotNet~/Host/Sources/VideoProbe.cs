@@ -54,7 +54,7 @@ internal sealed class VideoProbe
     /// <exception cref="InputException">ffprobe is missing, or the file is no video.</exception>
     public static VideoProbe Open(string path)
     {
-        string program = Tools.Require("ffprobe", path);
+        string program = FfmpegProgram.Require("ffprobe", path);
         string output = Run(program, path, out string problem,
             "-show_entries", "stream:stream_side_data=rotation:stream_tags=rotate:format", "-of", "json");
         JsonElement root = output.Length == 0 ? default : JsonDocument.Parse(output).RootElement;
@@ -75,7 +75,7 @@ internal sealed class VideoProbe
     /// <summary>Number of frames that a player shows, counted without decoding.</summary>
     public long CountFrames(out string problem)
     {
-        string output = Run(Tools.Require("ffprobe", Path), Path, out problem, "-show_entries", "packet=flags", "-of", "csv=p=0");
+        string output = Run(FfmpegProgram.Require("ffprobe", Path), Path, out problem, "-show_entries", "packet=flags", "-of", "csv=p=0");
         return output.Split('\n').LongCount(line => line.Trim().Length > 0 && !line.Contains('D'));
     }
 

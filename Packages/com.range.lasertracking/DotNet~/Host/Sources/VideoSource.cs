@@ -25,7 +25,7 @@ public sealed class VideoSource : IFrameSource
         _probe = VideoProbe.Open(path);
         Info = new FrameSourceInfo(Path.GetFileName(path), _probe.Width, _probe.Height, _probe.FramesPerSecond, _probe.DurationUs);
         _stream = new FfmpegFrameStream(
-            Tools.Require("ffmpeg", path), ["-i", VideoProbe.InputOf(path)], _probe.Width, _probe.Height);
+            FfmpegProgram.Require("ffmpeg", path), ["-i", VideoProbe.InputOf(path)], _probe.Width, _probe.Height);
         if (_stream.TryPeekTime(out _))
             return;
         _stream.WaitForExit();

@@ -5,7 +5,7 @@ using System.Diagnostics;
 namespace LaserTracking.Host.Sources;
 
 /// <summary>Programs outside .NET that reading videos needs.</summary>
-internal static class Tools
+internal static class FfmpegProgram
 {
     private static readonly ConcurrentDictionary<string, bool> KnowsFrameRateMode = new();
 
