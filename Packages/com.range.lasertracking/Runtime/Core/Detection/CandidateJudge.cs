@@ -96,7 +96,7 @@ namespace LaserTracking.Detection
                 return;
             SurroundingsMeasurer.Ring(view, ref candidate, Noise);
             double maxShare = isFaint && !isVivid ? _settings.MaxFaintRingShare : _settings.MaxRingShare;
-            double maxLevel = isVivid ? _settings.MaxVividRingLevel : isFaint ? _settings.MaxFaintRingLevel : _settings.MaxRingLevel;
+            double maxLevel = !isFaint ? _settings.MaxRingLevel : isVivid ? _settings.MaxVividRingLevel : _settings.MaxFaintRingLevel;
             if (Fails(ref candidate, candidate.RingShare > maxShare, RejectionReason.NotIsolated, candidate.RingShare, maxShare)
                 || Fails(ref candidate, candidate.RingLevel > maxLevel, RejectionReason.NotIsolated, candidate.RingLevel, maxLevel))
                 return;

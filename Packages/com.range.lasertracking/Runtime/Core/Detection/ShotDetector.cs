@@ -118,7 +118,7 @@ namespace LaserTracking.Detection
             _candidateCount = 0;
             SearchPlane(image, view, DetectionPlane.Smallest, _planes.SmallestTiles, detections);
             SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, detections);
-            detections.BlindShare = BlindShare();
+            detections.BlindShare = _planes.SmallestTiles.BusyShare;
             _memory.Protect(view, _planes.SmallestTiles, _planes.LargestTiles);
             _planes.SmallestTiles.Learn();
             _planes.LargestTiles.Learn();
@@ -272,8 +272,5 @@ namespace LaserTracking.Detection
                 Area = candidate.Area,
             });
         }
-
-        /// <summary>Tiles whose threshold their own activity has raised above a third of full brightness.</summary>
-        private double BlindShare() => 0;
     }
 }

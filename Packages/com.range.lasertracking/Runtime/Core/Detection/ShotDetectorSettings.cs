@@ -78,7 +78,7 @@ namespace LaserTracking.Detection
         /// <summary>The same where one frame is to suffice.</summary>
         public double ConclusiveRingLevel { get; set; } = 0.15;
 
-        /// <summary>The same for a vivid candidate: a strong halo is part of a laser dot.</summary>
+        /// <summary>The same for a vivid candidate whose rise would not be conclusive: a strong halo is part of a laser dot.</summary>
         public double MaxVividRingLevel { get; set; } = 0.13;
 
         /// <summary>Least rise of the strongest channel since the last frame, per pixel of the dot, through the peak rise, 0…100.</summary>

@@ -137,6 +137,19 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        public void Process_HalfThePictureFlickers_SaysHowMuchIsBlind()
+        {
+            var run = new DetectionRun();
+            run.Play(0, 8, (b, i) => Wall(b));
+            Assert.That(run.Detections.BlindShare, Is.EqualTo(0));
+            var random = new Random(3);
+            run.Play(8, 40, (b, i) => Flicker(Wall(b), random));
+            Assert.That(run.Detections.BlindShare, Is.InRange(0.3, 0.7));
+            run.Play(48, 1, (b, i) => Flicker(Wall(b).GreenDot(80, 120), random));
+            Assert.That(run.Shots.Exists(s => s.FirstFrameIndex == 48 && Math.Abs(s.Dot.PositionPx.X - 80) < 1), Is.True, "the quiet half still sees");
+        }
+
+        [Test]
         public void Process_NoiseOnly_GivesNoShots()
         {
             foreach (double sigma in new[] { 1.0, 4.0, 8.0 })
@@ -172,6 +185,14 @@ namespace LaserTracking.Detection
             RejectedCandidate outside = run.Rejected.Find(r => r.Reason == RejectionReason.OutsideScreen);
             Assert.That(outside.Value, Is.EqualTo(30).Within(1));
             Assert.That(outside.Limit, Is.EqualTo(0));
+        }
+
+        /// <summary>White specks all over the right half, elsewhere in every frame.</summary>
+        private static FrameBuilder Flicker(FrameBuilder b, Random random)
+        {
+            for (int i = 0; i < 500; i++)
+                b.Box(160 + random.Next(160), random.Next(240), 2, 2, 255, 255, 255);
+            return b;
         }
 
         private static FrameBuilder Shapes(FrameBuilder b, int i) => b
