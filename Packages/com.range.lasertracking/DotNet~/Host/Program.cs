@@ -1,7 +1,8 @@
 using System;
 using System.CommandLine;
-using System.CommandLine.Parsing;
+using System.IO;
 using System.Linq;
+using System.Runtime.InteropServices;
 using System.Threading;
 using LaserTracking.Host.Commands;
 
@@ -13,11 +14,16 @@ namespace LaserTracking.Host
         private static int Main(string[] args)
         {
             using var interrupt = new CancellationTokenSource();
-            Console.CancelKeyPress += (_, press) =>
+
+            // The first Ctrl-C ends the work in order; a second one ends the program, should it hang.
+            void Stop(PosixSignalContext signal)
             {
-                press.Cancel = true;
+                signal.Cancel = !interrupt.IsCancellationRequested;
                 interrupt.Cancel();
-            };
+            }
+
+            using PosixSignalRegistration keyboard = PosixSignalRegistration.Create(PosixSignal.SIGINT, Stop);
+            using PosixSignalRegistration system = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Stop);
             return Run(args, interrupt.Token);
         }
 
@@ -29,20 +35,17 @@ namespace LaserTracking.Host
                 args = new[] { "help" };
             ParseResult parsed = root.Parse(args);
             if (parsed.Errors.Count > 0 && !parsed.Tokens.Any(t => t.Value is "--help" or "-h" or "-?"))
-            {
-                Command command = parsed.CommandResult.Command;
-                string what = parsed.Errors[^1].Message.TrimEnd('.');
-                return Fail(what + (command == root ? "; './range help' lists the commands" : $"; './range help {command.Name}' shows the usage"));
-            }
+                return Fail(UsageProblem.Describe(parsed));
 
             try
             {
-                var configuration = new InvocationConfiguration { EnableDefaultExceptionHandler = false };
-                return parsed.InvokeAsync(configuration, interrupted).GetAwaiter().GetResult();
+                var configuration = new InvocationConfiguration { EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null };
+                int exitCode = parsed.InvokeAsync(configuration, interrupted).GetAwaiter().GetResult();
+                return exitCode == ExitCodes.Interrupted ? Interrupted() : exitCode;
             }
             catch (OperationCanceledException)
             {
-                return ExitCodes.Interrupted;
+                return Interrupted();
             }
             catch (InputException problem)
             {
@@ -50,16 +53,22 @@ namespace LaserTracking.Host
             }
             catch (UnauthorizedAccessException problem)
             {
-                return Fail(problem.Message.TrimEnd('.') + "; check the permissions");
+                return Fail("files: " + problem.Message.TrimEnd('.') + "; check the permissions");
             }
-            catch (System.IO.IOException problem)
+            catch (IOException problem)
             {
-                return Fail(problem.Message.TrimEnd('.') + "; check the path and the free space");
+                return Fail("files: " + problem.Message.TrimEnd('.') + "; check the path and the free space");
             }
             catch (Exception problem) when (Environment.GetEnvironmentVariable("RANGE_DEBUG") != "1")
             {
-                return Fail($"internal error: {problem.GetType().Name}: {problem.Message}; please report it (RANGE_DEBUG=1 shows where)");
+                return Fail($"internal error: {problem.GetType().Name}: {problem.Message.TrimEnd('.')}; please report it (RANGE_DEBUG=1 shows where)");
             }
+        }
+
+        private static int Interrupted()
+        {
+            Console.Error.WriteLine("range: interrupted; what was finished is kept");
+            return ExitCodes.Interrupted;
         }
 
         private static int Fail(string message)

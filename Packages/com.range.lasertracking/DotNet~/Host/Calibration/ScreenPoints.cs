@@ -9,16 +9,20 @@ using Newtonsoft.Json.Linq;
 namespace LaserTracking.Host.Calibration
 {
     /// <summary>Points of the screen as seen in the image: {"image_px":[[x,y],…],"screen_m":[[x,y],…],"verify":{…same two…}}.</summary>
-    internal sealed record ScreenPoints(Vector2D[] ImagePx, Vector2D[] ScreenM, Vector2D[] VerifyImagePx, Vector2D[] VerifyScreenM, int[]? ImageSize)
+    internal sealed record ScreenPoints(Vector2D[] ImagePx, Vector2D[] ScreenM, Vector2D[] VerifyImagePx, Vector2D[] VerifyScreenM, (int Width, int Height)? ImageSize)
     {
         public static ScreenPoints Read(string path)
         {
             if (!File.Exists(path))
-                throw new InputException(path, "no such file", "give the file of measured points");
+                throw new InputException(path, Directory.Exists(path) ? "this is a folder" : "no such file", "give the file of measured points");
             JObject root;
             try
             {
                 root = JObject.Parse(File.ReadAllText(path));
+            }
+            catch (Exception problem) when (problem is IOException or UnauthorizedAccessException)
+            {
+                throw new InputException(path, "cannot be read (" + problem.Message.TrimEnd('.') + ")", "check its permissions");
             }
             catch (JsonReaderException problem)
             {
@@ -29,10 +33,12 @@ namespace LaserTracking.Host.Calibration
             JToken? verify = root["verify"];
             if (verify is JArray pairs)
                 verify = pairs.FirstOrDefault();
+            if (verify is { Type: not (JTokenType.Object or JTokenType.Null) })
+                throw new InputException(path, "field verify is no object", "give {\"image_px\":[[x,y],…],\"screen_m\":[[x,y],…]}");
             Vector2D[] verifyImage = Points(verify, path, "image_px", "verify.image_px", false), verifyScreen = Points(verify, path, "screen_m", "verify.screen_m", false);
             if (image.Length != screen.Length || verifyImage.Length != verifyScreen.Length)
                 throw new InputException(path, "image_px and screen_m differ in length", "every point needs its partner");
-            int[]? size = root["image_size"] is JArray { Count: 2 } s ? new[] { (int)s[0], (int)s[1] } : null;
+            (int, int)? size = root["image_size"] is { Type: not JTokenType.Null } given ? PixelSize(given, path) : null;
             return new ScreenPoints(image, screen, verifyImage, verifyScreen, size);
         }
 
@@ -54,6 +60,22 @@ namespace LaserTracking.Host.Calibration
                 return new Vector2D(x, y);
             throw new InputException(option, $"\"{text}\" is not two numbers with a '{separator}' between", $"write it as 3.5{separator}2");
         }
+
+        /// <summary>"1280x720".</summary>
+        public static (int Width, int Height) PixelSize(string text)
+        {
+            string[] parts = text.Split('x');
+            return parts.Length == 2 && int.TryParse(parts[0], NumberStyles.None, CultureInfo.InvariantCulture, out int width) && int.TryParse(parts[1], NumberStyles.None, CultureInfo.InvariantCulture, out int height) && IsPixelSize(width, height)
+                ? (width, height)
+                : throw new InputException("--image-size", $"\"{text}\" is no size in pixels", "write it as 1280x720");
+        }
+
+        private static (int Width, int Height) PixelSize(JToken size, string path) =>
+            size is JArray { Count: 2 } list && list.All(n => n.Type == JTokenType.Integer) && IsPixelSize((double)list[0], (double)list[1])
+                ? ((int)list[0], (int)list[1])
+                : throw new InputException(path, "field image_size is no size in pixels", "write it as [1280,720]");
+
+        private static bool IsPixelSize(double width, double height) => width >= 1 && height >= 1 && width <= 65536 && height <= 65536;
 
         private static Vector2D[] Points(JToken? parent, string path, string field, string shown, bool required)
         {

@@ -16,7 +16,7 @@ namespace LaserTracking.Host.Commands
     {
         public static Command Create()
         {
-            var names = new Argument<string[]>("NAME") { Description = "Benchmarks to run; all when left out.", Arity = ArgumentArity.ZeroOrMore };
+            var names = new Argument<string[]>("NAME") { Description = "Benchmarks to run; all when left out. Known: " + string.Join(", ", BenchmarkList.All.Select(b => b.Name)) + ".", Arity = ArgumentArity.ZeroOrMore };
             var json = new Option<bool>("--json") { Description = "Prints JSON instead of a table." };
             var command = new Command("bench", "Times each stage on fixed synthetic work, one thread.") { names, json };
             command.SetAction((parsed, interrupted) => Task.FromResult(Run(parsed.GetValue(names) ?? Array.Empty<string>(), parsed.GetValue(json), interrupted)));

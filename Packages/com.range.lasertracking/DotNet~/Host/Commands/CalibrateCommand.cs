@@ -1,8 +1,9 @@
 using System;
 using System.CommandLine;
-using System.IO;
+using System.Text;
 using LaserTracking.Geometry;
 using LaserTracking.Host.Calibration;
+using LaserTracking.Host.Sessions;
 using Newtonsoft.Json.Linq;
 
 namespace LaserTracking.Host.Commands
@@ -11,42 +12,57 @@ namespace LaserTracking.Host.Commands
     internal static class CalibrateCommand
     {
         private const double DefaultLimitMm = 5;
+        private const double MinimumScreenM = 0.05;
+        private const double MaximumScreenM = 100;
 
         public static Command Create() => new("calibrate", "Fits the screen's place in the image from measured points, and checks it.") { Screen(), Verify() };
 
         private static Command Screen()
         {
-            var points = new Option<string?>("--points") { Description = "JSON file with image_px, screen_m and, better, verify." };
-            var corners = new Option<string[]>("--corners") { Description = "Instead: the screen's corners in the image, x,y four times, top-left first, clockwise.", AllowMultipleArgumentsPerToken = true };
-            var size = new Option<string>("--size") { Description = "Width and height of the projected picture in metres: 3.73x2.26.", Required = true };
-            var imageSize = new Option<string>("--image-size") { Description = "Width and height of the image in pixels.", DefaultValueFactory = _ => "1280x720" };
-            var output = new Option<string>("--out") { Description = "The calibration to write.", DefaultValueFactory = _ => "screen.json" };
-            var limit = new Option<double>("--limit") { Description = "Largest held-out error that passes, mm.", DefaultValueFactory = _ => DefaultLimitMm };
+            var points = new Option<string?>("--points") { HelpName = "FILE", Description = "JSON file with image_px, screen_m and, better, verify." };
+            var corners = new Option<string[]>("--corners") { HelpName = "X,Y", Description = "Instead: the screen's corners in the image, x,y four times, top-left first, clockwise.", AllowMultipleArgumentsPerToken = true };
+            var size = new Option<string>("--size") { HelpName = "WxH", Description = "Width and height of the projected picture in metres: 3.73x2.26.", Required = true };
+            var imageSize = new Option<string>("--image-size") { HelpName = "WxH", Description = "Width and height of the image in pixels.", DefaultValueFactory = _ => "1280x720" };
+            var output = new Option<string>("--out") { HelpName = "FILE", Description = "The calibration to write.", DefaultValueFactory = _ => "screen.json" };
+            var limit = new Option<double>("--limit") { HelpName = "MM", Description = "Largest held-out error that passes, mm.", DefaultValueFactory = _ => DefaultLimitMm };
             var command = new Command("screen", "Fits image pixels to screen metres.") { points, corners, size, imageSize, output, limit };
             command.SetAction(parsed =>
             {
                 Vector2D sizeM = ScreenPoints.Pair(parsed.GetValue(size)!, 'x', "--size");
-                if (!(sizeM.X > 0 && sizeM.Y > 0))
-                    throw new InputException("--size", "width and height must be above zero", "write it as 3.73x2.26");
+                if (!(Math.Min(sizeM.X, sizeM.Y) >= MinimumScreenM && Math.Max(sizeM.X, sizeM.Y) <= MaximumScreenM))
+                    throw new InputException("--size", $"\"{parsed.GetValue(size)}\" is no screen of 0.05 to 100 metres", "write it as 3.73x2.26");
                 string? file = parsed.GetValue(points);
                 string[] given = parsed.GetValue(corners) ?? Array.Empty<string>();
                 if (file == null && given.Length == 0)
                     throw new InputException("calibrate screen", "no points given", "use --points FILE or --corners");
+                ResultFile.CheckNotRead(parsed.GetValue(output), file);
                 ScreenPoints measured = file != null ? ScreenPoints.Read(file) : ScreenPoints.FromCorners(given, sizeM);
-                Vector2D pixels = measured.ImageSize is { } own ? new Vector2D(own[0], own[1]) : ScreenPoints.Pair(parsed.GetValue(imageSize)!, 'x', "--image-size");
+                (int width, int height) = measured.ImageSize ?? ScreenPoints.PixelSize(parsed.GetValue(imageSize)!);
                 if (!HomographyEstimator.TryFit(measured.ImagePx, measured.ScreenM, out Homography homography, out string reason))
                     throw new InputException(file ?? "--corners", reason, "measure these points again");
-                var calibration = new RangeCalibration(new ScreenGeometry(homography, sizeM), (int)pixels.X, (int)pixels.Y, null);
+                var calibration = new RangeCalibration(new ScreenGeometry(homography, sizeM), width, height, null);
+                CheckPlace(calibration, file ?? "--corners");
                 return Report(calibration, measured, parsed.GetValue(limit), parsed.GetValue(output));
             });
             return command;
         }
 
+        /// <summary>Corners outside the picture are possible, a screen that is nowhere in it is a mistake.</summary>
+        private static void CheckPlace(RangeCalibration calibration, string source)
+        {
+            Vector2D center = calibration.Screen.ToImagePx(calibration.Screen.ScreenSizeM * 0.5);
+            if (!(center.X >= 0 && center.Y >= 0 && center.X < calibration.ImageWidth && center.Y < calibration.ImageHeight))
+                throw new InputException(source, FormattableString.Invariant($"the middle of the screen lies at {center.X:F0},{center.Y:F0}, outside the image of {calibration.ImageWidth}x{calibration.ImageHeight}"), "check the points, and give the image's size with --image-size");
+            Vector2D[] corners = calibration.Screen.CornersPx;
+            if (Vector2D.Cross(corners[1] - corners[0], corners[3] - corners[0]) < 0)
+                Console.Error.WriteLine("range: the picture is mirrored: right for a camera behind the screen, else the corners run the wrong way round");
+        }
+
         private static Command Verify()
         {
-            var file = new Argument<string>("CALIBRATION");
-            var points = new Option<string>("--points") { Description = "JSON file with image_px and screen_m of points that the fit did not use.", Required = true };
-            var limit = new Option<double>("--limit") { Description = "Largest error that passes, mm.", DefaultValueFactory = _ => DefaultLimitMm };
+            var file = new Argument<string>("CALIBRATION") { Description = "What 'calibrate screen' wrote." };
+            var points = new Option<string>("--points") { HelpName = "FILE", Description = "JSON file with image_px and screen_m of points that the fit did not use.", Required = true };
+            var limit = new Option<double>("--limit") { HelpName = "MM", Description = "Largest error that passes, mm.", DefaultValueFactory = _ => DefaultLimitMm };
             var command = new Command("verify", "Errors of a calibration on points not used in the fit; exit 1 over the limit.") { file, points, limit };
             command.SetAction(parsed =>
             {
@@ -60,6 +76,9 @@ namespace LaserTracking.Host.Commands
 
         private static int Report(RangeCalibration calibration, ScreenPoints measured, double limitMm, string? output)
         {
+            if (!(limitMm >= 0))
+                throw new InputException("--limit", "must be a number of millimetres, 0 or more", "write it as 5");
+            using ResultFile? file = output == null ? null : new ResultFile(output);
             Homography toScreen = calibration.Screen.ImageToScreen, toImage = toScreen.Inverse;
             var result = new JObject();
             if (output != null)
@@ -70,7 +89,10 @@ namespace LaserTracking.Host.Commands
 
             PointErrors mm = PointErrors.Of(toScreen, measured.VerifyImagePx, measured.VerifyScreenM, 1000);
             PointErrors px = PointErrors.Of(toImage, measured.VerifyScreenM, measured.VerifyImagePx, 1);
-            result["verify"] = new JObject { ["n"] = mm.Count, ["median_mm"] = mm.Median, ["p95_mm"] = mm.P95, ["max_mm"] = mm.Max, ["median_px"] = px.Median, ["max_px"] = px.Max };
+            if (mm.Count == 0)
+                result["verify"] = new JObject { ["n"] = 0 };
+            else
+                result["verify"] = new JObject { ["n"] = mm.Count, ["median_mm"] = mm.Median, ["p95_mm"] = mm.P95, ["max_mm"] = mm.Max, ["median_px"] = px.Median, ["max_px"] = px.Max };
             Console.WriteLine(result.ToString());
             if (mm.Count > 0 && !(mm.Max <= limitMm))
             {
@@ -78,15 +100,14 @@ namespace LaserTracking.Host.Commands
                 return ExitCodes.CheckFailed;
             }
 
-            if (output == null)
+            if (file == null)
                 return ExitCodes.Done;
             if (mm.Count == 0)
                 Console.Error.WriteLine("range: no held-out points: the fit proves nothing about itself; fire check shots or give \"verify\" points");
-            JObject file = JObject.Parse(RangeCalibrationFile.Format(calibration));
-            file.Merge(result);
-            string temporary = output + ".part";
-            File.WriteAllText(temporary, file.ToString() + "\n");
-            File.Move(temporary, output, true);
+            JObject content = JObject.Parse(RangeCalibrationFile.Format(calibration));
+            content.Merge(result);
+            file.Stream.Write(Encoding.UTF8.GetBytes(content.ToString() + "\n"));
+            file.Commit();
             return ExitCodes.Done;
         }
     }

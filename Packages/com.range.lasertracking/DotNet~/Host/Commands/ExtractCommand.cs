@@ -14,8 +14,8 @@ namespace LaserTracking.Host.Commands
         public static Command Create()
         {
             var input = new Argument<string>("RECORDING") { Description = "An Azure Kinect recording (.mkv)." };
-            var output = new Option<string>("--out") { Description = "Folder for the payloads and frames.jsonl.", Required = true };
-            var captures = new Option<string?>("--captures") { Description = "Only captures A..B, counted from 0, both included." };
+            var output = new Option<string>("--out") { HelpName = "DIR", Description = "Folder for the payloads and frames.jsonl.", Required = true };
+            var captures = new Option<string?>("--captures") { HelpName = "A..B", Description = "Only captures A..B, counted from 0, both included." };
             var hashesOnly = new Option<bool>("--hashes-only") { Description = "Writes frames.jsonl without the payloads." };
             var command = new Command("extract", "Takes a recording apart: every payload as a file, as the camera delivered it.") { input, output, captures, hashesOnly };
             command.SetAction((parsed, interrupted) =>
@@ -28,7 +28,7 @@ namespace LaserTracking.Host.Commands
                 progress.Clear();
                 Console.WriteLine(result.ToString());
                 foreach (var problem in recording.Problems)
-                    Console.Error.WriteLine($"range: {parsed.GetValue(input)}: {problem.What}");
+                    Console.Error.WriteLine($"range: {parsed.GetValue(input)}: {(problem.Offset >= 0 ? FormattableString.Invariant($"byte {problem.Offset}: ") : string.Empty)}{problem.What}");
                 return Task.FromResult(result.WasCancelled ? ExitCodes.Interrupted : ExitCodes.Done);
             });
             return command;

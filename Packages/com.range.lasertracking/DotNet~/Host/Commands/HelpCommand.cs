@@ -1,22 +1,23 @@
+using System;
 using System.CommandLine;
 using System.Linq;
 
 namespace LaserTracking.Host.Commands
 {
-    /// <summary>range help [COMMAND].</summary>
+    /// <summary>range help [COMMAND [COMMAND]].</summary>
     internal static class HelpCommand
     {
         public static Command Create(RootCommand root)
         {
-            var name = new Argument<string?>("COMMAND") { Description = "The command to explain.", Arity = ArgumentArity.ZeroOrOne };
-            var command = new Command("help", "Explains everything, or one command.") { name };
+            var names = new Argument<string[]>("COMMAND") { Description = "The command to explain: replay, or calibrate screen.", Arity = ArgumentArity.ZeroOrMore };
+            var command = new Command("help", "Explains everything, or one command.") { names };
             command.SetAction(parsed =>
             {
-                string? wanted = parsed.GetValue(name);
-                if (wanted != null && root.Subcommands.All(c => c.Name != wanted))
-                    throw new InputException(wanted, "there is no such command", "'./range help' lists them");
-                string[] line = wanted == null ? new[] { "--help" } : new[] { wanted, "--help" };
-                return root.Parse(line).Invoke();
+                string[] wanted = parsed.GetValue(names) ?? Array.Empty<string>();
+                Command at = root;
+                foreach (string name in wanted)
+                    at = at.Subcommands.FirstOrDefault(c => c.Name == name) ?? throw new InputException(string.Join(' ', wanted), "there is no such command", "'./range help' lists them");
+                return root.Parse(wanted.Append("--help").ToArray()).Invoke();
             });
             return command;
         }

@@ -18,14 +18,14 @@ namespace LaserTracking.Host.Commands
         public static Command Create()
         {
             var input = new Argument<string>("INPUT") { Description = "An Azure Kinect recording, any video that ffmpeg reads, or a folder of numbered images." };
-            var hand = new Option<string?>("--hand") { Description = "The second camera's recording: who fired, from where." };
-            var handOffset = new Option<long>("--hand-offset-us") { Description = "Added to the second camera's times, microseconds." };
-            var calibration = new Option<string?>("--calibration") { Description = "Where the screen lies in the image (made by 'calibrate screen')." };
-            var scene = new Option<string?>("--scene") { Description = "The Unity scene (.unity) that was shown: shots are scored against it." };
-            var detector = new Option<string>("--detector") { Description = "shots, or paper: the published algorithm, faithfully.", DefaultValueFactory = _ => "shots" };
-            var events = new Option<string?>("--events") { Description = "Writes events.jsonl there; - is standard output." };
-            var dots = new Option<string?>("--dots") { Description = "Writes every tracked dot in every frame there." };
-            var report = new Option<string?>("--report") { Description = "Writes report.html into this folder." };
+            var hand = new Option<string?>("--hand") { HelpName = "FILE", Description = "The second camera's recording: who fired, from where." };
+            var handOffset = new Option<long>("--hand-offset-us") { HelpName = "US", Description = "Added to the second camera's times, microseconds." };
+            var calibration = new Option<string?>("--calibration") { HelpName = "FILE", Description = "Where the screen lies in the image (made by 'calibrate screen')." };
+            var scene = new Option<string?>("--scene") { HelpName = "FILE.unity", Description = "The Unity scene (.unity) that was shown: shots are scored against it." };
+            var detector = new Option<string>("--detector") { HelpName = "NAME", Description = "shots, or paper: the published algorithm, faithfully.", DefaultValueFactory = _ => "shots" };
+            var events = new Option<string?>("--events") { HelpName = "FILE", Description = "Writes events.jsonl there; - is standard output." };
+            var dots = new Option<string?>("--dots") { HelpName = "FILE", Description = "Writes every tracked dot in every frame there." };
+            var report = new Option<string?>("--report") { HelpName = "DIR", Description = "Writes report.html into this folder." };
             var paced = new Option<bool>("--paced") { Description = "Runs at the recording's own speed." };
             var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, detector, events, dots, report, paced };
             command.SetAction((parsed, interrupted) =>
@@ -33,6 +33,8 @@ namespace LaserTracking.Host.Commands
                 RangeSession.CreateDetector(parsed.GetValue(detector)!);
                 string name = parsed.GetValue(input)!;
                 string? handName = parsed.GetValue(hand), calibrationName = parsed.GetValue(calibration), sceneName = parsed.GetValue(scene);
+                foreach (string? result in new[] { parsed.GetValue(events), parsed.GetValue(dots) })
+                    ResultFile.CheckNotRead(result, name, handName, calibrationName, sceneName);
                 RangeCalibration? geometry = calibrationName == null ? null : RangeCalibrationFile.Read(calibrationName);
                 SceneModel? model = sceneName == null ? null : UnitySceneReader.Read(sceneName);
                 if (model != null && geometry == null)

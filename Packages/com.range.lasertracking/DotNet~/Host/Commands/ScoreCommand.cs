@@ -11,7 +11,7 @@ namespace LaserTracking.Host.Commands
         {
             var events = new Argument<string>("EVENTS.jsonl") { Description = "What 'replay' or 'demo' wrote." };
             var truth = new Argument<string>("TRUTH.json") { Description = "What was really fired." };
-            var clip = new Option<string?>("--clip") { Description = "Which of the truth file's clips; by default the one that the events name as their input." };
+            var clip = new Option<string?>("--clip") { HelpName = "NAME", Description = "Which of the truth file's clips; by default the one that the events name as their input." };
             var command = new Command("score", "Compares events with truth; prints JSON.") { events, truth, clip };
             command.SetAction(parsed =>
             {

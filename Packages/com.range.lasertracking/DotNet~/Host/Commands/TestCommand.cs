@@ -28,7 +28,7 @@ namespace LaserTracking.Host.Commands
         public static Command Create()
         {
             var reference = new Option<bool>("--reference") { Description = "Only the tests that compare with reference files (folder: RANGE_DATA, default ../shared/data)." };
-            var filter = new Option<string?>("--filter") { Description = "Only tests whose full name holds this text." };
+            var filter = new Option<string?>("--filter") { HelpName = "TEXT", Description = "Only tests whose full name holds this text." };
             var command = new Command("test", "Runs every automated test; the last line says how many passed, failed and were skipped.") { reference, filter };
             command.SetAction((parsed, interrupted) => System.Threading.Tasks.Task.FromResult(Run(parsed.GetValue(reference), parsed.GetValue(filter), interrupted)));
             return command;
@@ -65,7 +65,7 @@ namespace LaserTracking.Host.Commands
             var result = ChildProcess.Run("dotnet", new[] { "build", solution, "-c", "Release", "-v", "q", "--nologo" }, null, interrupted);
             if (result.ExitCode == 0)
                 return;
-            string first = result.Output.Split('\n').FirstOrDefault(l => l.Contains("error", StringComparison.Ordinal)) ?? "no message";
+            string first = result.Output.Split('\n').FirstOrDefault(l => l.Contains("error", StringComparison.Ordinal)) ?? result.Output.TrimEnd().Split('\n')[^1];
             throw new InputException("test", "the tests do not build: " + first.Trim(), "fix that and run again");
         }
 

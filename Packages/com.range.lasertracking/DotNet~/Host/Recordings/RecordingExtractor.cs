@@ -5,6 +5,7 @@ using System.Linq;
 using System.Security.Cryptography;
 using System.Threading;
 using LaserTracking.Capture.AzureKinect;
+using LaserTracking.Host.Sessions;
 
 namespace LaserTracking.Host.Recordings
 {
@@ -35,7 +36,6 @@ namespace LaserTracking.Host.Recordings
         {
             try
             {
-                Directory.CreateDirectory(_options.OutputFolder);
                 return Write(progress, cancellation);
             }
             catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
@@ -47,27 +47,13 @@ namespace LaserTracking.Host.Recordings
 
         private ExtractResult Write(Action<double>? progress, CancellationToken cancellation)
         {
-            string list = Path.Combine(_options.OutputFolder, "frames.jsonl");
-            string temporary = list + ".part";
-            long captures = 0;
-            try
-            {
-                using (FileStream stream = File.Create(temporary))
-                {
-                    captures = WriteCaptures(stream, progress, cancellation);
-                    if (captures == 0 && !cancellation.IsCancellationRequested && _options.HasRange)
-                        throw new InputException(_recording.Name, $"has no capture {_options.FirstCapture}", "ask for captures that it has; info tells their number");
-                    foreach (KinectTrack track in _recording.Tracks.Where(track => !track.IsBuiltin))
-                        WriteCustomTrack(stream, track, cancellation);
-                }
-
-                File.Move(temporary, list, overwrite: true);
-            }
-            finally
-            {
-                File.Delete(temporary);
-            }
-
+            using var list = new ResultFile(Path.Combine(_options.OutputFolder, "frames.jsonl"));
+            long captures = WriteCaptures(list.Stream, progress, cancellation);
+            if (captures == 0 && !cancellation.IsCancellationRequested && _options.HasRange)
+                throw new InputException(_recording.Name, $"has no capture {_options.FirstCapture}", "ask for captures that it has; info tells their number");
+            foreach (KinectTrack track in _recording.Tracks.Where(track => !track.IsBuiltin))
+                WriteCustomTrack(list.Stream, track, cancellation);
+            list.Commit();
             return new ExtractResult(captures, _lines.Count, _bytes, cancellation.IsCancellationRequested);
         }
 
@@ -124,17 +110,9 @@ namespace LaserTracking.Host.Recordings
             SHA256.HashData(payload, hash);
             if (!_options.HashesOnly)
             {
-                string path = Path.Combine(_options.OutputFolder, fileName);
-                try
-                {
-                    using (FileStream file = File.Create(path + ".part"))
-                        file.Write(payload);
-                    File.Move(path + ".part", path, overwrite: true);
-                }
-                finally
-                {
-                    File.Delete(path + ".part");
-                }
+                using var file = new ResultFile(Path.Combine(_options.OutputFolder, fileName));
+                file.Stream.Write(payload);
+                file.Commit();
             }
 
             _bytes += payload.Length;

@@ -41,6 +41,8 @@ internal sealed class EventScorer
     {
         IReadOnlyList<TruthClip> clips = TruthFile.Read(truthPath);
         List<Reported> events = ReadShots(eventsPath, out List<string> inputs);
+        if (new FileInfo(eventsPath).Length == 0)
+            throw new InputException(eventsPath, "is empty (0 bytes)", "write it anew with ./range replay --events");
         return new EventScorer(Choose(clips, truthPath, clipName, inputs), events).ToJson();
     }
 

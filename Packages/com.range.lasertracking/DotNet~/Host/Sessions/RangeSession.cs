@@ -42,6 +42,7 @@ namespace LaserTracking.Host.Sessions
                 sink,
                 new PipelineSettings { SceneTimeZeroUs = plan.SceneTimeZeroUs });
             pipeline.Begin(new SessionHeader(Version, plan.Inputs, plan.CalibrationName, plan.Detector, plan.Seed));
+            ReportOtherSizes(pipeline, plan, handCamera);
 
             var watch = Stopwatch.StartNew();
             using var progress = new ProgressLine();
@@ -55,6 +56,21 @@ namespace LaserTracking.Host.Sessions
             bool isComplete = runner.Run(interrupted);
             pipeline.End(watch.Elapsed.TotalSeconds);
             return isComplete;
+        }
+
+        /// <summary>A calibration made with pictures of another size maps to wrong places without anything else showing it.</summary>
+        private static void ReportOtherSizes(RangePipeline pipeline, SessionPlan plan, HandCamera? handCamera)
+        {
+            void Check(string camera, int width, int height, IFrameSource source)
+            {
+                if (source.Info.Width > 0 && (source.Info.Width != width || source.Info.Height != height))
+                    pipeline.ReportInputProblem(new FrameProblem(-1, FormattableString.Invariant($"the calibration is for {camera} pictures of {width}×{height}, these have {source.Info.Width}×{source.Info.Height}: positions are wrong; calibrate with pictures of this size")));
+            }
+
+            if (plan.Calibration is { } calibration)
+                Check("screen", calibration.ImageWidth, calibration.ImageHeight, plan.ScreenCamera);
+            if (handCamera != null)
+                Check("hand camera", handCamera.Intrinsics.Width, handCamera.Intrinsics.Height, plan.HandCamera!);
         }
 
         private static FusionSettings FusionFor(RangeCalibration calibration) =>

@@ -3,13 +3,17 @@ using System.IO;
 
 namespace LaserTracking.Host.Sessions
 {
-    /// <summary>A result that appears under its name only when it is whole: written beside it, moved at the end, deleted otherwise.</summary>
+    /// <summary>
+    /// A result that appears under its name only when it is whole: written beside it, moved at the end, deleted otherwise. Two runs
+    /// cannot write the same result at once.
+    /// </summary>
     internal sealed class ResultFile : IDisposable
     {
         private readonly string? _path;
         private readonly string? _temporary;
 
         /// <param name="path">"-" is standard output, which cannot be taken back.</param>
+        /// <exception cref="InputException">It cannot be written.</exception>
         public ResultFile(string path)
         {
             if (path == "-")
@@ -18,16 +22,44 @@ namespace LaserTracking.Host.Sessions
                 return;
             }
 
-            string? folder = Path.GetDirectoryName(Path.GetFullPath(path));
-            if (Directory.Exists(path))
-                throw new InputException(path, "this is a folder", "name a file to write");
-            Directory.CreateDirectory(folder!);
-            _path = path;
-            _temporary = path + ".part";
-            Stream = new FileStream(_temporary, FileMode.Create, FileAccess.Write, FileShare.Read, 1 << 16);
+            if (path.Length == 0 || Directory.Exists(path))
+                throw new InputException(path.Length == 0 ? "\"\"" : path, "this is no name for a file", "name a file to write");
+            try
+            {
+                // A link stays a link: what it points to is replaced.
+                string whole = Path.GetFullPath(path);
+                if (IsDevice(whole))
+                {
+                    Stream = new FileStream(whole, FileMode.Open, FileAccess.Write);
+                    return;
+                }
+
+                _path = new FileInfo(whole).LinkTarget == null ? whole : File.ResolveLinkTarget(whole, returnFinalTarget: true)!.FullName;
+                _temporary = _path + ".part";
+                Directory.CreateDirectory(Path.GetDirectoryName(_path)!);
+
+                // Only without sharing does .NET lock a file that it writes.
+                Stream = new FileStream(_temporary, FileMode.Create, FileAccess.Write, FileShare.None, 1 << 16);
+            }
+            catch (Exception problem) when (problem is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+            {
+                string? file = FileInPlaceOfFolder(path);
+                throw new InputException(path, file != null ? $"cannot be written: {file} is a file, not a folder" : "cannot be written (" + problem.Message.ReplaceLineEndings(" ").TrimEnd('.') + ")",
+                    "name a place that can be written and that no other run is writing to");
+            }
         }
 
         public Stream Stream { get; }
+
+        /// <exception cref="InputException">The result would take the place of something that is read.</exception>
+        public static void CheckNotRead(string? result, params ReadOnlySpan<string?> inputs)
+        {
+            foreach (string? input in inputs)
+            {
+                if (!string.IsNullOrEmpty(result) && !string.IsNullOrEmpty(input) && Path.GetFullPath(result) == Path.GetFullPath(input))
+                    throw new InputException(result, "this file is also read", "give the result another name");
+            }
+        }
 
         /// <summary>The result is whole: give it its name.</summary>
         public void Commit()
@@ -41,9 +73,30 @@ namespace LaserTracking.Host.Sessions
 
         public void Dispose()
         {
-            Stream.Dispose();
+            try
+            {
+                Stream.Dispose();
+            }
+            catch (IOException)
+            {
+                // The disk is full: the error that led here says so.
+            }
+
             if (_temporary != null)
                 File.Delete(_temporary);
         }
+
+        private static string? FileInPlaceOfFolder(string path)
+        {
+            string? folder = Path.GetDirectoryName(path);
+            while (!string.IsNullOrEmpty(folder) && !File.Exists(folder))
+                folder = Path.GetDirectoryName(folder);
+            return string.IsNullOrEmpty(folder) ? null : folder;
+        }
+
+        /// <summary>Devices and pipes are written to; a file moved on to one would take its place.</summary>
+        private static bool IsDevice(string path) =>
+            !OperatingSystem.IsWindows() && File.Exists(path) && (path.StartsWith("/dev/", StringComparison.Ordinal) || path.StartsWith("/proc/", StringComparison.Ordinal))
+            && !path.StartsWith("/dev/shm/", StringComparison.Ordinal);
     }
 }

@@ -34,6 +34,7 @@ namespace LaserTracking.Host.Sessions
         {
             using ResultFile? events = _events == null ? null : new ResultFile(_events);
             using ResultFile? dots = _dots == null ? null : new ResultFile(_dots);
+            using ResultFile? report = _reportFolder == null ? null : new ResultFile(Path.Combine(_reportFolder, "report.html"));
             Recorder = new SessionRecorder();
             var sinks = new List<IEventSink> { Recorder };
             if (events != null)
@@ -42,18 +43,17 @@ namespace LaserTracking.Host.Sessions
                 sinks.Add(new JsonLinesSink(dots.Stream, EventTypes.Dots));
 
             bool isComplete = RangeSession.Run(plan, new EventSinkGroup(sinks), interrupted);
+            report?.Stream.Write(Report(plan, title));
             events?.Commit();
             dots?.Commit();
-            if (_reportFolder != null)
-                WriteReport(plan, title);
+            report?.Commit();
             if (_events != "-")
                 ShotTable.Print(Recorder, plan);
             return isComplete ? ExitCodes.Done : ExitCodes.Interrupted;
         }
 
-        private void WriteReport(SessionPlan plan, string title)
+        private byte[] Report(SessionPlan plan, string title)
         {
-            using var file = new ResultFile(Path.Combine(_reportFolder!, "report.html"));
             var options = new ReportOptions
             {
                 Title = title,
@@ -64,8 +64,7 @@ namespace LaserTracking.Host.Sessions
                 BackgroundPng = BackgroundPng,
                 PictureTimeS = BackgroundPng == null ? null : 0,
             };
-            file.Stream.Write(ReportBuilder.BuildUtf8(Recorder, options));
-            file.Commit();
+            return ReportBuilder.BuildUtf8(Recorder, options);
         }
     }
 }

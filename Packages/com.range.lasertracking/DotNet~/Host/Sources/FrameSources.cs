@@ -14,7 +14,7 @@ public static class FrameSources
         if (Directory.Exists(path))
             return FrameSourceKind.ImageFolder;
         if (!File.Exists(path))
-            throw new InputException(path, "does not exist", "check the path");
+            throw new InputException(path.Length == 0 ? "\"\"" : path, "does not exist", "check the path");
         try
         {
             using FileStream file = File.OpenRead(path);

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Text;
@@ -34,10 +35,22 @@ namespace LaserTracking.Host.Terminal
             process.Start();
             process.BeginOutputReadLine();
             process.BeginErrorReadLine();
-            using (interrupted.Register(() => process.Kill(entireProcessTree: true)))
+            using (interrupted.Register(() => End(process)))
                 process.WaitForExit();
             interrupted.ThrowIfCancellationRequested();
             return (process.ExitCode, output.ToString());
+        }
+
+        private static void End(Process process)
+        {
+            try
+            {
+                process.Kill(entireProcessTree: true);
+            }
+            catch (Exception problem) when (problem is InvalidOperationException or AggregateException or System.ComponentModel.Win32Exception)
+            {
+                // It, or a part of it, ended by itself in between.
+            }
         }
     }
 }

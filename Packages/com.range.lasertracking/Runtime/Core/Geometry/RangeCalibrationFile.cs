@@ -22,7 +22,14 @@ namespace LaserTracking.Geometry
                 throw new InputException(path, "this is a folder, not a calibration file", "name the .json file");
             if (!File.Exists(path))
                 throw new InputException(path, "no such file", "'./range calibrate screen' makes one");
-            return Parse(File.ReadAllText(path), path);
+            try
+            {
+                return Parse(File.ReadAllText(path), path);
+            }
+            catch (Exception problem) when (problem is IOException || problem is UnauthorizedAccessException)
+            {
+                throw new InputException(path, "cannot be read (" + problem.Message.TrimEnd('.') + ")", "check its permissions");
+            }
         }
 
         /// <param name="json">Content of the file.</param>
@@ -52,7 +59,9 @@ namespace LaserTracking.Geometry
                     throw new ArgumentException("the matrix has no inverse");
                 if (!(size[0] > 0 && size[1] > 0))
                     throw new InputException(name, "field screen_m: width and height must be above zero", Remedy);
-                return new RangeCalibration(new ScreenGeometry(homography, new Vector2D(size[0], size[1])), image[0], image[1], HandCamera(root["hand_camera"], name));
+                var screen = new ScreenGeometry(homography, new Vector2D(size[0], size[1]));
+                CheckOutline(screen, name);
+                return new RangeCalibration(screen, image[0], image[1], HandCamera(root["hand_camera"], name));
             }
             catch (ArgumentException problem)
             {
@@ -94,6 +103,15 @@ namespace LaserTracking.Geometry
             }
 
             return root.ToString(Formatting.Indented).Replace("\r\n", "\n") + "\n";
+        }
+
+        /// <summary>A matrix with an inverse may still put a corner beyond the horizon, or the screen on to a line.</summary>
+        private static void CheckOutline(ScreenGeometry screen, string name)
+        {
+            Vector2D size = screen.ScreenSizeM;
+            var cornersM = new[] { new Vector2D(0, 0), new Vector2D(size.X, 0), size, new Vector2D(0, size.Y) };
+            if (!HomographyEstimator.TryFit(screen.CornersPx, cornersM, out _, out string reason))
+                throw new InputException(name, "field H gives no screen in the picture: " + reason, Remedy);
         }
 
         private static HandCamera? HandCamera(JToken? token, string name)

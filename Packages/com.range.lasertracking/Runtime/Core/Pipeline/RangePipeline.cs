@@ -76,7 +76,8 @@ namespace LaserTracking.Pipeline
 
             _frames++;
             _lastTimeUs = frame.TimeUs;
-            bool hasPicture = frame.Color.IsPresent || frame.Infrared.IsPresent;
+            // Both detectors look at colour: a frame with infrared alone shows them nothing.
+            bool hasPicture = frame.Color.IsPresent;
             if (!hasPicture)
                 _dropped++;
             _health.CheckFrame(frame, hasPicture);

@@ -49,7 +49,8 @@ namespace LaserTracking.Pipeline
                 ProcessCurrent();
             }
 
-            return true;
+            // Ctrl-C also ends the programs that decode: their end is not the recording's.
+            return !interrupted.IsCancellationRequested;
         }
 
         /// <summary>Reads the next frame of camera 0 without processing it; false at the end of the stream.</summary>

@@ -24,7 +24,9 @@ namespace LaserTracking.Capture.AzureKinect
         {
             _recording = recording;
             _streams = streams;
-            KinectTrack? track = recording.ColorTrack ?? recording.DepthTrack ?? recording.InfraredTrack;
+            KinectTrack? track = ((streams & KinectStreams.Color) != 0 ? recording.ColorTrack : null)
+                ?? ((streams & KinectStreams.Depth) != 0 ? recording.DepthTrack : null)
+                ?? ((streams & KinectStreams.Infrared) != 0 ? recording.InfraredTrack : null);
             Info = new FrameSourceInfo(recording.Name, track?.Width ?? 0, track?.Height ?? 0, recording.Configuration.FramesPerSecond, recording.LengthUs);
         }
 
