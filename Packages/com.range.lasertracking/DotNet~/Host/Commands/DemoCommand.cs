@@ -16,6 +16,8 @@ namespace LaserTracking.Host.Commands
     /// <summary>range demo: the main job on the shipped sample, a simulated range with two cameras and several shooters.</summary>
     internal static class DemoCommand
     {
+        private const string InputName = "Samples~/Demo/demo.scenario.json";
+
         public static Command Create()
         {
             var output = new Option<string>("--out") { HelpName = "DIR", Description = "Folder for events.jsonl and report.html.", DefaultValueFactory = _ => Path.Combine("out", "demo") };
@@ -46,13 +48,17 @@ namespace LaserTracking.Host.Commands
                 CalibrationName = "simulation",
                 Scene = scene,
                 SceneTimeZeroUs = range.Truth.ColorClockUs(0),
-                Inputs = new[] { new SessionInput("Samples~/Demo/demo.scenario.json", InputHash.Of(scenarioFile).Sha256) },
+                Inputs = new[] { new SessionInput(InputName, InputHash.Of(scenarioFile).Sha256) },
                 Seed = scenario.Seed,
             };
             var outputs = new SessionOutputs(Path.Combine(folder, "events.jsonl"), null, folder) { BackgroundPng = DrawPicture(range) };
             int exitCode = outputs.Run(plan, "Demo session", interrupted);
             if (exitCode == ExitCodes.Done)
+            {
+                SimulationTruthWriter.Write(range.Truth, InputName, scenario, Path.Combine(folder, "truth.json"));
                 TruthComparison.Print(outputs.Recorder, range.Truth);
+            }
+
             System.Console.WriteLine($"the report: {Path.Combine(folder, "report.html")}");
             return exitCode;
         }
