@@ -13,6 +13,7 @@ namespace LaserTracking.Pipeline
         private long _lastTimeUs = long.MinValue;
         private double _usualIntervalUs;
         private bool _wasBlind;
+        private bool _overflowed;
         private bool _hadPicture = true;
 
         public PipelineHealth(PipelineSettings settings, IEventSink sink)
@@ -46,8 +47,10 @@ namespace LaserTracking.Pipeline
             if (isBlind && !_wasBlind)
                 Report(detections.FrameIndex, detections.TimeUs, HealthKind.Blind, detections.BlindShare, "too bright or too busy to see a dot in much of the picture; lower the exposure");
             _wasBlind = isBlind;
-            if (detections.OverflowCount > 0)
-                Report(detections.FrameIndex, detections.TimeUs, HealthKind.Overflow, detections.OverflowCount, "more candidates than there is room for; the rest was counted only");
+            bool overflows = detections.OverflowCount > 0;
+            if (overflows && !_overflowed)
+                Report(detections.FrameIndex, detections.TimeUs, HealthKind.Overflow, detections.OverflowCount, "so much changes at once that only the strongest spots are examined; a shot just now could be missed");
+            _overflowed = overflows;
         }
 
         public void ReportInput(FrameProblem problem, long timeUs) =>
