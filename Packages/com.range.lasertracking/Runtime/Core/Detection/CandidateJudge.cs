@@ -29,6 +29,9 @@ namespace LaserTracking.Detection
         /// <summary>There is room above the projected picture's brightest for light that proves itself by its brightness.</summary>
         public bool IsContentKnown => ContentLevel + 1.5 * _settings.MinContentExcess <= 255;
 
+        /// <summary>Levels above the projected picture's brightest at which one frame suffices.</summary>
+        private double ConclusiveExcess => Math.Max(_settings.MinContentExcess, 0.6 * (255 - ContentLevel));
+
         /// <param name="view">The frame.</param>
         /// <param name="candidate">Plane, seed and peaks given; everything else is filled.</param>
         /// <param name="memory">Dots of the last frame: what goes on from there need not prove itself again.</param>
@@ -78,11 +81,13 @@ namespace LaserTracking.Detection
             double fresh = view.Change(seed, candidate.Plane) / (double)candidate.PeakRise;
             candidate.IsOnset = fresh >= 0.5;
             SurroundingsMeasurer.ColorRise(view, ref candidate);
-            candidate.MayBeContent = IsContentKnown && SurroundingsMeasurer.PeakLevel(view, candidate) < ContentLevel + _settings.MinContentExcess;
+            int excess = IsContentKnown ? SurroundingsMeasurer.PeakLevel(view, candidate) - ContentLevel : 0;
+            candidate.MayBeContent = IsContentKnown && excess < _settings.MinContentExcess;
+            bool isProvenByLevel = IsContentKnown && excess >= ConclusiveExcess;
             if (memory.TryFind(candidate, out known))
             {
-                candidate.IsConclusive = known.IsConclusive;
-                Fails(ref candidate, !known.IsConclusive && known.Frames > _settings.MaxWaitFrames, RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
+                candidate.IsConclusive = known.IsConclusive || isProvenByLevel;
+                Fails(ref candidate, !candidate.IsConclusive && known.Frames > _settings.MaxWaitFrames, RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
                 return;
             }
 
@@ -111,7 +116,7 @@ namespace LaserTracking.Detection
             double maxMotion = isFaint ? _settings.MaxFaintMotionShare : IsExemplary(candidate, elongation) ? _settings.MaxExemplaryMotionShare : _settings.MaxMotionShare;
             if (Fails(ref candidate, candidate.MotionShare > maxMotion, RejectionReason.MovingSurroundings, candidate.MotionShare, maxMotion))
                 return;
-            candidate.IsConclusive = !isFaint && !isBlunt && candidate.RingShare <= _settings.ConclusiveRingShare
+            candidate.IsConclusive = isProvenByLevel || !isFaint && !isBlunt && candidate.RingShare <= _settings.ConclusiveRingShare
                 && candidate.RingLevel <= _settings.ConclusiveRingLevel && candidate.MotionShare <= _settings.ConclusiveMotionShare
                 && elongation <= _settings.ConclusiveElongation;
         }
@@ -136,21 +141,23 @@ namespace LaserTracking.Detection
                 || Fails(ref candidate, candidate.Area < 2, RejectionReason.TooSmall, candidate.Area / area, 2 / area))
                 return;
             double elongation = candidate.LongSigma / candidate.ShortSigma;
-            double change = view.Change(seed, candidate.Plane) / (double)excess;
-            candidate.IsOnset = change >= 0.5;
+
+            // A resting dot trembles: only where nothing near was as bright in the frame before has light begun.
+            double before = SurroundingsMeasurer.ExcessBefore(view, candidate) / (double)excess;
+            candidate.IsOnset = before < 0.5;
             SurroundingsMeasurer.ColorRise(view, ref candidate);
             if (memory.TryFind(candidate, out known))
             {
-                candidate.IsConclusive = known.IsConclusive;
+                candidate.IsConclusive = known.IsConclusive || excess >= ConclusiveExcess;
                 return;
             }
 
             candidate.RingShare = SurroundingsMeasurer.ExcessRingShare(view, candidate);
-            if (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, change, 0.5)
+            if (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, 1 - before, 0.5)
                 || Fails(ref candidate, elongation > _settings.MaxElongation, RejectionReason.TooElongated, elongation, _settings.MaxElongation)
                 || Fails(ref candidate, candidate.RingShare > _settings.MaxRingShare, RejectionReason.NotIsolated, candidate.RingShare, _settings.MaxRingShare))
                 return;
-            candidate.IsConclusive = excess >= 0.6 * (255 - ContentLevel) && elongation <= _settings.ConclusiveElongation;
+            candidate.IsConclusive = excess >= ConclusiveExcess && elongation <= _settings.ConclusiveElongation;
         }
 
         /// <summary>So much like a dot in itself that only its neighbourhood speaks against it: a bumped camera must not hide it.</summary>

@@ -125,6 +125,7 @@ namespace LaserTracking.Detection
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
             detections.BlindShare = _planes.SmallestTiles.BusyShare;
+            _memory.ReportTraces(view, detections);
             _memory.Protect(view, _planes.SmallestTiles, _planes.LargestTiles);
             _planes.SmallestTiles.Learn();
             _planes.LargestTiles.Learn();
@@ -293,7 +294,7 @@ namespace LaserTracking.Detection
             dot.Factors = Factors(candidate, dot.PositionPx, image);
             dot.Confidence = Math.Min(1, dot.Factors.Sum);
             detections.Add(dot);
-            Remember(candidate, dot.Color, known);
+            Remember(candidate, dot, known);
         }
 
         private LaserColor ColorOf(in Candidate candidate)
@@ -314,7 +315,7 @@ namespace LaserTracking.Detection
             return new ConfidenceFactors(0.4 * Math.Min(1, peak), 0.3 * Math.Max(0, contrast), 0.2 * Math.Max(0, 1 - away), 0.1 * Math.Max(0, rest));
         }
 
-        private void Remember(in Candidate candidate, LaserColor color, in RememberedDot known)
+        private void Remember(in Candidate candidate, in Dot dot, in RememberedDot known)
         {
             int margin = 2 + (Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top) + 1) / 2;
             _memory.Add(new RememberedDot
@@ -325,9 +326,12 @@ namespace LaserTracking.Detection
                 Bottom = candidate.Bottom + margin,
                 Frames = candidate.IsOnset ? 1 : known.Frames + 1,
                 IsConclusive = candidate.IsConclusive,
-                Color = color,
+                Color = dot.Color,
                 PeakRelativeRise = candidate.PeakRelativeRise,
                 Area = candidate.Area,
+                Plane = candidate.Plane,
+                PositionPx = dot.PositionPx,
+                MayBeContent = candidate.MayBeContent,
             });
         }
     }

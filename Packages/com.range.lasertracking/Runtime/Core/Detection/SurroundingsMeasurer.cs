@@ -94,6 +94,19 @@ namespace LaserTracking.Detection
             return count == 0 ? 0 : (double)bright / count;
         }
 
+        /// <summary>Levels by which the box and three pixels around it exceeded the projected picture in the frame before; may be negative.</summary>
+        public static int ExcessBefore(in FrameView view, in Candidate candidate)
+        {
+            int peak = 0;
+            for (int y = Math.Max(0, candidate.Top - 3); y <= Math.Min(view.Height - 1, candidate.Bottom + 3); y++)
+            {
+                for (int x = Math.Max(0, candidate.Left - 3); x <= Math.Min(view.Width - 1, candidate.Right + 3); x++)
+                    peak = Math.Max(peak, FrameView.Level(view.Before[y * view.Width + x], candidate.Plane));
+            }
+
+            return peak - candidate.ContentLevel;
+        }
+
         /// <summary>The brightest pixel of the box.</summary>
         public static int PeakLevel(in FrameView view, in Candidate candidate)
         {
