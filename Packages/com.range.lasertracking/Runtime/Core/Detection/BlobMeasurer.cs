@@ -39,8 +39,11 @@ namespace LaserTracking.Detection
         /// <summary>Fills area, box and moments. Growing stops when the area does not fit any more: Area is then the limit + 1.</summary>
         public void Grow(in FrameView view, ref Candidate candidate)
         {
+            bool isByLevel = candidate.IsAboveContent;
             int width = view.Width, height = view.Height;
-            int threshold = Math.Max(1, (candidate.PeakRelativeRise + 1) / 2);
+            int threshold = isByLevel
+                ? ExcessThreshold(view, candidate)
+                : Math.Max(1, (candidate.PeakRelativeRise + 1) / 2);
             int maxArea = _stack.Length - 1;
             int seed = candidate.SeedY * width + candidate.SeedX;
             int count = 0;
@@ -75,7 +78,10 @@ namespace LaserTracking.Detection
                         if (_tested[n] == serial)
                             continue;
                         _tested[n] = serial;
-                        if (_stamps[n] == _stamp || count > maxArea || view.RelativeRise(n, candidate.Plane) < threshold)
+                        if (_stamps[n] == _stamp || count > maxArea)
+                            continue;
+                        int value = isByLevel ? FrameView.Level(view.Now[n], candidate.Plane) : view.RelativeRise(n, candidate.Plane);
+                        if (value < threshold)
                             continue;
                         _stamps[n] = _stamp;
                         _stack[count++] = n;
@@ -89,6 +95,10 @@ namespace LaserTracking.Detection
             candidate.CenterY = candidate.SeedY + meanY;
             Shape(ref candidate, (double)sumXX / count - meanX * meanX, (double)sumYY / count - meanY * meanY, (double)sumXY / count - meanX * meanY);
         }
+
+        /// <summary>The level half-way from the projected picture's brightest to the seed.</summary>
+        public static int ExcessThreshold(in FrameView view, in Candidate candidate) =>
+            (FrameView.Level(view.Now[candidate.SeedY * view.Width + candidate.SeedX], candidate.Plane) + candidate.ContentLevel + 1) / 2;
 
         private static void Shape(ref Candidate candidate, double xx, double yy, double xy)
         {

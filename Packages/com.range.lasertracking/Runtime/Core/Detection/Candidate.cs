@@ -69,6 +69,15 @@ namespace LaserTracking.Detection
 
         public bool IsConclusive;
 
+        /// <summary>Brighter than anything that the projected picture has shown: grown and measured by what exceeds that.</summary>
+        public bool IsAboveContent;
+
+        /// <summary>Brightness of the projected picture's brightest parts, levels; from it light is measured when above content.</summary>
+        public int ContentLevel;
+
+        /// <summary>Not brighter than the projected picture can be, where that is known.</summary>
+        public bool MayBeContent;
+
         /// <summary>Whatever a rejected spot's shape is, if it grows dimmer it is a light that is going out.</summary>
         public void Fade(in FrameView view)
         {

@@ -3,7 +3,7 @@ using System;
 namespace LaserTracking.Detection
 {
     /// <summary>Puts a candidate through the tests, cheap ones first; the first one failed is the reason of its rejection.</summary>
-    internal sealed class CandidateJudge
+    internal sealed unsafe class CandidateJudge
     {
         /// <summary>A long streak through the middle takes two of the eight.</summary>
         private const double MaxSpokeShare = 0.25;
@@ -22,6 +22,15 @@ namespace LaserTracking.Detection
 
         /// <summary>Working pixels per pixel of a picture 640 wide.</summary>
         public double Scale { get; set; } = 1;
+
+        /// <summary>Brightness of the projected picture's brightest parts, levels.</summary>
+        public int ContentLevel { get; set; }
+
+        /// <summary>There is room above the projected picture's brightest for light that proves itself by its brightness.</summary>
+        public bool IsContentKnown => ContentLevel + 1.5 * _settings.MinContentExcess <= 255;
+
+        /// <summary>Levels above the projected picture's brightest at which one frame suffices.</summary>
+        private double ConclusiveExcess => Math.Max(_settings.MinContentExcess, 0.6 * (255 - ContentLevel));
 
         /// <param name="view">The frame.</param>
         /// <param name="candidate">Plane, seed and peaks given; everything else is filled.</param>
@@ -72,10 +81,13 @@ namespace LaserTracking.Detection
             double fresh = view.Change(seed, candidate.Plane) / (double)candidate.PeakRise;
             candidate.IsOnset = fresh >= 0.5;
             SurroundingsMeasurer.ColorRise(view, ref candidate);
+            int excess = IsContentKnown ? SurroundingsMeasurer.PeakLevel(view, candidate) - ContentLevel : 0;
+            candidate.MayBeContent = IsContentKnown && excess < _settings.MinContentExcess;
+            bool isProvenByLevel = IsContentKnown && excess >= ConclusiveExcess;
             if (memory.TryFind(candidate, out known))
             {
-                candidate.IsConclusive = known.IsConclusive;
-                Fails(ref candidate, !known.IsConclusive && known.Frames > _settings.MaxWaitFrames, RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
+                candidate.IsConclusive = known.IsConclusive || isProvenByLevel;
+                Fails(ref candidate, !candidate.IsConclusive && known.Frames > _settings.MaxWaitFrames, RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
                 return;
             }
 
@@ -104,9 +116,48 @@ namespace LaserTracking.Detection
             double maxMotion = isFaint ? _settings.MaxFaintMotionShare : IsExemplary(candidate, elongation) ? _settings.MaxExemplaryMotionShare : _settings.MaxMotionShare;
             if (Fails(ref candidate, candidate.MotionShare > maxMotion, RejectionReason.MovingSurroundings, candidate.MotionShare, maxMotion))
                 return;
-            candidate.IsConclusive = !isFaint && !isBlunt && candidate.RingShare <= _settings.ConclusiveRingShare
+            candidate.IsConclusive = isProvenByLevel || !isFaint && !isBlunt && candidate.RingShare <= _settings.ConclusiveRingShare
                 && candidate.RingLevel <= _settings.ConclusiveRingLevel && candidate.MotionShare <= _settings.ConclusiveMotionShare
                 && elongation <= _settings.ConclusiveElongation;
+        }
+
+        /// <summary>
+        /// The tests for light above everything that the projected picture shows: it needs no quiet surroundings, only to be new, small
+        /// and alone up there.
+        /// </summary>
+        public void JudgeAboveContent(in FrameView view, ref Candidate candidate, DotMemory memory, out RememberedDot known)
+        {
+            known = default;
+            double area = Scale * Scale;
+            candidate.IsAboveContent = true;
+            candidate.ContentLevel = ContentLevel;
+            candidate.CenterX = candidate.SeedX;
+            candidate.CenterY = candidate.SeedY;
+            int seed = candidate.SeedY * view.Width + candidate.SeedX;
+            int excess = FrameView.Level(view.Now[seed], candidate.Plane) - ContentLevel;
+            _blobs.Grow(view, ref candidate);
+            candidate.Strength = excess * Math.Sqrt(candidate.Area / area);
+            if (Fails(ref candidate, candidate.Area > _settings.MaxAreaPx * area, RejectionReason.TooLarge, candidate.Area / area, _settings.MaxAreaPx)
+                || Fails(ref candidate, candidate.Area < 2, RejectionReason.TooSmall, candidate.Area / area, 2 / area))
+                return;
+            double elongation = candidate.LongSigma / candidate.ShortSigma;
+
+            // A resting dot trembles: only where nothing near was as bright in the frame before has light begun.
+            double before = SurroundingsMeasurer.ExcessBefore(view, candidate) / (double)excess;
+            candidate.IsOnset = before < 0.5;
+            SurroundingsMeasurer.ColorRise(view, ref candidate);
+            if (memory.TryFind(candidate, out known))
+            {
+                candidate.IsConclusive = known.IsConclusive || excess >= ConclusiveExcess;
+                return;
+            }
+
+            candidate.RingShare = SurroundingsMeasurer.ExcessRingShare(view, candidate);
+            if (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, 1 - before, 0.5)
+                || Fails(ref candidate, elongation > _settings.MaxElongation, RejectionReason.TooElongated, elongation, _settings.MaxElongation)
+                || Fails(ref candidate, candidate.RingShare > _settings.MaxRingShare, RejectionReason.NotIsolated, candidate.RingShare, _settings.MaxRingShare))
+                return;
+            candidate.IsConclusive = excess >= ConclusiveExcess && elongation <= _settings.ConclusiveElongation;
         }
 
         /// <summary>So much like a dot in itself that only its neighbourhood speaks against it: a bumped camera must not hide it.</summary>

@@ -31,5 +31,10 @@ namespace LaserTracking.Detection
 
         /// <summary>The light was not there in the frame before.</summary>
         public bool IsOnset;
+
+        /// <summary>
+        /// It is no brighter than the projected picture can be, so growing does not prove it: things that come from behind others do.
+        /// </summary>
+        public bool MayBeContent;
     }
 }

@@ -40,7 +40,9 @@ namespace LaserTracking.Detection
                         uint pixel = row[x];
                         peakLevel = Math.Max(peakLevel, FrameView.Level(pixel, DetectionPlane.Largest));
                         int light = FrameView.Level(pixel, candidate.Plane);
-                        if (candidate.IsOnset)
+                        if (candidate.IsAboveContent)
+                            light = Math.Max(0, light - candidate.ContentLevel);
+                        else if (candidate.IsOnset)
                             light -= FrameView.Level(view.Before[(y0 + y) / factor * view.Width + (x0 + x) / factor], candidate.Plane);
                         _light[y * width + x] = light;
                     }

@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Geometry;
 
 namespace LaserTracking.Detection
 {
@@ -15,6 +16,11 @@ namespace LaserTracking.Detection
 
         public int PeakRelativeRise;
         public int Area;
+        public DetectionPlane Plane;
+        public Vector2D PositionPx;
+
+        /// <summary>No brighter than the projected picture can be.</summary>
+        public bool MayBeContent;
 
         /// <summary>Found again in the frame being processed.</summary>
         public bool IsContinued;
@@ -87,6 +93,32 @@ namespace LaserTracking.Detection
         {
             if (_nowCount < Capacity)
                 _now[_nowCount++] = dot;
+        }
+
+        /// <summary>
+        /// What light leaves behind is the wall as it was. A dot of the last frame that is none any more, but where half of its area is
+        /// still half as far above the background as it was, has not gone out: something came from behind something else.
+        /// </summary>
+        public void ReportTraces(in FrameView view, Detections detections)
+        {
+            for (int i = 0; i < _lastCount; i++)
+            {
+                RememberedDot dot = _last[i];
+                if (dot.IsContinued || !dot.MayBeContent)
+                    continue;
+                int risen = 0, threshold = Math.Max(1, (dot.PeakRelativeRise + 1) / 2);
+                for (int y = Math.Max(0, dot.Top); y <= Math.Min(view.Height - 1, dot.Bottom); y++)
+                {
+                    for (int x = Math.Max(0, dot.Left); x <= Math.Min(view.Width - 1, dot.Right); x++)
+                    {
+                        if (view.RelativeRise(y * view.Width + x, dot.Plane) >= threshold)
+                            risen++;
+                    }
+                }
+
+                if (2 * risen >= dot.Area)
+                    detections.Reject(new RejectedCandidate { PositionPx = dot.PositionPx, Reason = RejectionReason.NotConfirmed, Value = risen / (double)dot.Area, Limit = 0.5 });
+            }
         }
 
         /// <summary>Gives the places of this frame's dots their background of before back, and makes this frame the last one.</summary>

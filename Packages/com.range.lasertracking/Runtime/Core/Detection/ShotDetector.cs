@@ -20,6 +20,7 @@ namespace LaserTracking.Detection
         private readonly DotLocator _locator = new DotLocator();
         private readonly DotMemory _memory = new DotMemory();
         private readonly NoiseMeter _noise = new NoiseMeter();
+        private readonly ContentCeiling _content = new ContentCeiling();
         private readonly ScreenMask _mask = new ScreenMask();
         private readonly int[] _reciprocal = new int[256];
         private readonly Candidate[] _candidates;
@@ -108,6 +109,7 @@ namespace LaserTracking.Detection
             _blobs.Resize(_planes.Width * _planes.Height, (int)(_settings.MaxAreaPx * _judge.Scale * _judge.Scale) + 1);
             _memory.Clear();
             _noise.Reset();
+            _content.Reset();
             _isSmooth = false;
         }
 
@@ -115,10 +117,15 @@ namespace LaserTracking.Detection
         {
             _noise.Update(view);
             _judge.Noise = _noise.Sigma;
+            _content.Update(view);
+            _judge.ContentLevel = _content.Level;
             _candidateCount = 0;
             SearchPlane(image, view, DetectionPlane.Smallest, _planes.SmallestTiles, detections);
             SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, detections);
+            if (_judge.IsContentKnown)
+                SearchAboveContent(image, view, detections);
             detections.BlindShare = _planes.SmallestTiles.BusyShare;
+            _memory.ReportTraces(view, detections);
             _memory.Protect(view, _planes.SmallestTiles, _planes.LargestTiles);
             _planes.SmallestTiles.Learn();
             _planes.LargestTiles.Learn();
@@ -197,9 +204,61 @@ namespace LaserTracking.Detection
             return true;
         }
 
+        /// <summary>Light that no projected picture reaches, wherever no dot has been found yet: motion around it means nothing.</summary>
+        private void SearchAboveContent(Image image, in FrameView view, Detections detections)
+        {
+            TileGrid tiles = _planes.LargestTiles;
+            int limit = _content.Level + _settings.MinContentExcess;
+            _blobs.Begin();
+            for (int tile = 0; tile < tiles.Columns * tiles.Rows && _candidateCount < _candidates.Length; tile++)
+            {
+                if (tiles.Onset(tile) < _settings.MinContentExcess / 2
+                    || !TryExcess(view, tile % tiles.Columns * TileGrid.Size, tile / tiles.Columns * TileGrid.Size, limit, out Candidate candidate))
+                    continue;
+                candidate.Activity = tiles.Activity(tile);
+                candidate.IsAboveContent = true;
+                Examine(image, view, ref candidate, detections);
+                _candidates[_candidateCount++] = candidate;
+            }
+        }
+
+        /// <summary>The tile's brightest pixel above the limit; of equally bright ones that which rose most.</summary>
+        private bool TryExcess(in FrameView view, int x0, int y0, int limit, out Candidate candidate)
+        {
+            int best = 0, bestX = -1, bestY = -1;
+            int x1 = Math.Min(view.Width, x0 + TileGrid.Size), y1 = Math.Min(view.Height, y0 + TileGrid.Size);
+            for (int y = y0; y < y1; y++)
+            {
+                for (int x = x0; x < x1; x++)
+                {
+                    // The new envelope is never below the level itself, and one byte.
+                    int i = y * view.Width + x;
+                    if (view.NewLargest[i] < limit)
+                        continue;
+                    int level = FrameView.Level(view.Now[i], DetectionPlane.Largest);
+                    int rise = level - view.OldLargest[i];
+                    if (level < limit || rise <= 0 || (level << 8 | rise) <= best || _blobs.IsTaken(i) || _memory.IsLit(x, y))
+                        continue;
+                    best = level << 8 | rise;
+                    bestX = x;
+                    bestY = y;
+                }
+            }
+
+            candidate = new Candidate { Plane = DetectionPlane.Largest, SeedX = bestX, SeedY = bestY, PeakRise = best & 255 };
+            if (bestX < 0)
+                return false;
+            candidate.PeakRelativeRise = view.RelativeRise(bestY * view.Width + bestX, DetectionPlane.Largest);
+            return true;
+        }
+
         private void Examine(Image image, in FrameView view, ref Candidate candidate, Detections detections)
         {
-            _judge.Judge(view, ref candidate, _memory, out RememberedDot known);
+            RememberedDot known;
+            if (candidate.IsAboveContent)
+                _judge.JudgeAboveContent(view, ref candidate, _memory, out known);
+            else
+                _judge.Judge(view, ref candidate, _memory, out known);
             int factor = _planes.Factor;
             var position = new Vector2D((candidate.CenterX + 0.5) * factor - 0.5, (candidate.CenterY + 0.5) * factor - 0.5);
             if (candidate.Reason == RejectionReason.None && !_mask.IsWholePicture)
@@ -229,13 +288,13 @@ namespace LaserTracking.Detection
                 return;
             }
 
-            var dot = new Dot { IsConclusive = candidate.IsConclusive, IsOnset = candidate.IsOnset };
+            var dot = new Dot { IsConclusive = candidate.IsConclusive, IsOnset = candidate.IsOnset, MayBeContent = candidate.MayBeContent };
             _locator.Locate(image, view, factor, candidate, _noise.Sigma, ref dot);
             dot.Color = candidate.IsOnset || known.Frames == 0 ? ColorOf(candidate) : known.Color;
             dot.Factors = Factors(candidate, dot.PositionPx, image);
             dot.Confidence = Math.Min(1, dot.Factors.Sum);
             detections.Add(dot);
-            Remember(candidate, dot.Color, known);
+            Remember(candidate, dot, known);
         }
 
         private LaserColor ColorOf(in Candidate candidate)
@@ -256,7 +315,7 @@ namespace LaserTracking.Detection
             return new ConfidenceFactors(0.4 * Math.Min(1, peak), 0.3 * Math.Max(0, contrast), 0.2 * Math.Max(0, 1 - away), 0.1 * Math.Max(0, rest));
         }
 
-        private void Remember(in Candidate candidate, LaserColor color, in RememberedDot known)
+        private void Remember(in Candidate candidate, in Dot dot, in RememberedDot known)
         {
             int margin = 2 + (Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top) + 1) / 2;
             _memory.Add(new RememberedDot
@@ -267,9 +326,12 @@ namespace LaserTracking.Detection
                 Bottom = candidate.Bottom + margin,
                 Frames = candidate.IsOnset ? 1 : known.Frames + 1,
                 IsConclusive = candidate.IsConclusive,
-                Color = color,
+                Color = dot.Color,
                 PeakRelativeRise = candidate.PeakRelativeRise,
                 Area = candidate.Area,
+                Plane = candidate.Plane,
+                PositionPx = dot.PositionPx,
+                MayBeContent = candidate.MayBeContent,
             });
         }
     }

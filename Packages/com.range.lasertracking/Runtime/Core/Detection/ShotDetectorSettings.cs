@@ -117,6 +117,12 @@ namespace LaserTracking.Detection
         /// <summary>Least compactness of an exemplary dot, 0…1.</summary>
         public double ExemplaryCompactness { get; set; } = 0.88;
 
+        /// <summary>
+        /// By how much light must exceed the projected picture's brightest to be none of it, levels, 1…255. Where less room is left
+        /// above that, brightness proves nothing.
+        /// </summary>
+        public int MinContentExcess { get; set; } = 24;
+
         /// <summary>Radius of the surroundings that must be at rest, px at 640, 4…320.</summary>
         public double MotionRadiusPx { get; set; } = 40;
 
@@ -177,6 +183,7 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MaxExemplaryMotionShare), MaxExemplaryMotionShare, 0, 1);
             SettingCheck.InRange(nameof(ExemplaryRise), ExemplaryRise, 0, 1);
             SettingCheck.InRange(nameof(ExemplaryCompactness), ExemplaryCompactness, 0, 1);
+            SettingCheck.InRange(nameof(MinContentExcess), MinContentExcess, 1, 255);
             SettingCheck.InRange(nameof(MotionRadiusPx), MotionRadiusPx, 4, 320);
             SettingCheck.InRange(nameof(ColorCoherence), ColorCoherence, 0, 1);
             SettingCheck.InRange(nameof(MinColorHeadroom), MinColorHeadroom, 0, 255);

@@ -72,6 +72,54 @@ namespace LaserTracking.Detection
             candidate.RingLevel = Math.Max(0, level - 1.5 * noise * perLevel) / candidate.PeakRelativeRise;
         }
 
+        /// <summary>Share of a ring three pixels wide, two beside the box, that is as far above the projected picture as the light itself.</summary>
+        public static double ExcessRingShare(in FrameView view, in Candidate candidate)
+        {
+            int threshold = BlobMeasurer.ExcessThreshold(view, candidate);
+            int bright = 0, count = 0;
+            int x0 = Math.Max(0, candidate.Left - 5), x1 = Math.Min(view.Width - 1, candidate.Right + 5);
+            int y0 = Math.Max(0, candidate.Top - 5), y1 = Math.Min(view.Height - 1, candidate.Bottom + 5);
+            for (int y = y0; y <= y1; y++)
+            {
+                for (int x = x0; x <= x1; x++)
+                {
+                    if (x > candidate.Left - 3 && x < candidate.Right + 3 && y > candidate.Top - 3 && y < candidate.Bottom + 3)
+                        continue;
+                    count++;
+                    if (FrameView.Level(view.Now[y * view.Width + x], candidate.Plane) >= threshold)
+                        bright++;
+                }
+            }
+
+            return count == 0 ? 0 : (double)bright / count;
+        }
+
+        /// <summary>Levels by which the box and three pixels around it exceeded the projected picture in the frame before; may be negative.</summary>
+        public static int ExcessBefore(in FrameView view, in Candidate candidate)
+        {
+            int peak = 0;
+            for (int y = Math.Max(0, candidate.Top - 3); y <= Math.Min(view.Height - 1, candidate.Bottom + 3); y++)
+            {
+                for (int x = Math.Max(0, candidate.Left - 3); x <= Math.Min(view.Width - 1, candidate.Right + 3); x++)
+                    peak = Math.Max(peak, FrameView.Level(view.Before[y * view.Width + x], candidate.Plane));
+            }
+
+            return peak - candidate.ContentLevel;
+        }
+
+        /// <summary>The brightest pixel of the box.</summary>
+        public static int PeakLevel(in FrameView view, in Candidate candidate)
+        {
+            int peak = 0;
+            for (int y = candidate.Top; y <= candidate.Bottom; y++)
+            {
+                for (int x = candidate.Left; x <= candidate.Right; x++)
+                    peak = Math.Max(peak, FrameView.Level(view.Now[y * view.Width + x], DetectionPlane.Largest));
+            }
+
+            return peak;
+        }
+
         /// <summary>Share of every second pixel of every second row within the radius, the dot and its halo left out, that changed.</summary>
         public static double MotionShare(in FrameView view, in Candidate candidate, int radius, double noise)
         {

@@ -23,6 +23,9 @@ namespace LaserTracking.Detection
         /// <summary>Tiles above their threshold in this frame, also those beyond the limit.</summary>
         public int HotCount { get; private set; }
 
+        /// <summary>The tile's largest onset in this frame, levels.</summary>
+        public int Onset(int tile) => _onsets[tile];
+
         public double Activity(int tile) => _activity[tile];
 
         public void Resize(int width, int height)

@@ -169,7 +169,7 @@ namespace LaserTracking.Tracking
             }
 
             track.IsSeen = true;
-            if (!track.IsReported && (dot.IsConclusive || (track.OnsetCount >= 2 && dot.IsOnset)))
+            if (!track.IsReported && (dot.IsConclusive || (track.OnsetCount >= 2 && dot.IsOnset && !dot.MayBeContent)))
                 Report(ref track, detections.FrameIndex);
             if (track.IsReported && _dotCount < MaxTracks)
                 _dots[_dotCount++] = new TrackedDot(track.Id, dot);

@@ -1,0 +1,58 @@
+using System;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>
+    /// The brightest that the projected picture gets here, in its strongest channel: what the projector can show, a moving picture can
+    /// do anywhere at any time; what exceeds it is light from elsewhere. Learned from the remembered brightness, in which dots leave
+    /// no trace. Says nothing where projected white itself is near full brightness.
+    /// </summary>
+    internal sealed class ContentCeiling
+    {
+        private const int Step = 4;
+
+        /// <summary>One sample in this many may be brighter: less than two hundred pixels of a picture 640 wide, a dot or two.</summary>
+        private const int Rarity = 1200;
+
+        /// <summary>Frames in which the ceiling falls by a level: scenes change, but a dark minute does not mean a weak projector.</summary>
+        private const int FramesPerLevel = 16;
+
+        private readonly int[] _histogram = new int[256];
+        private int _frames;
+
+        /// <summary>0…255, by the envelope of the largest channel.</summary>
+        public int Level { get; private set; }
+
+        public void Reset()
+        {
+            _frames = 0;
+            Level = 0;
+        }
+
+        public unsafe void Update(in FrameView view)
+        {
+            Array.Clear(_histogram, 0, 256);
+            int count = 0;
+            for (int y = Step / 2; y < view.Height; y += Step)
+            {
+                byte* row = view.OldLargest + (long)y * view.Width;
+                for (int x = Step / 2; x < view.Width; x += Step)
+                {
+                    _histogram[row[x]]++;
+                    count++;
+                }
+            }
+
+            int level = 255;
+            for (int above = _histogram[255]; level > 0 && above * Rarity <= count; above += _histogram[level])
+                level--;
+            _frames++;
+            if (_frames == 1)
+                Level = level;
+            else if (level > Level)
+                Level += (level - Level + 3) / 4;
+            else if (level < Level && _frames % FramesPerLevel == 0)
+                Level--;
+        }
+    }
+}
