@@ -43,8 +43,9 @@ namespace LaserTracking.Host
                 int exitCode = parsed.InvokeAsync(configuration, interrupted).GetAwaiter().GetResult();
                 return exitCode == ExitCodes.Interrupted ? Interrupted() : exitCode;
             }
-            catch (OperationCanceledException)
+            catch (Exception) when (interrupted.IsCancellationRequested)
             {
+                // Also what the decoding programs, ended by the same Ctrl-C, left unfinished.
                 return Interrupted();
             }
             catch (InputException problem)

@@ -41,9 +41,10 @@ internal sealed class EventScorer
     {
         IReadOnlyList<TruthClip> clips = TruthFile.Read(truthPath);
         List<Reported> events = ReadShots(eventsPath, out List<string> inputs);
+        TruthClip clip = Choose(clips, truthPath, clipName, inputs);
         if (new FileInfo(eventsPath).Length == 0)
             throw new InputException(eventsPath, "is empty (0 bytes)", "write it anew with ./range replay --events");
-        return new EventScorer(Choose(clips, truthPath, clipName, inputs), events).ToJson();
+        return new EventScorer(clip, events).ToJson();
     }
 
     private static List<Reported> ReadShots(string path, out List<string> inputs)

@@ -9,6 +9,8 @@ namespace LaserTracking.Host.Sessions
     /// </summary>
     internal sealed class ResultFile : IDisposable
     {
+        private const int MaximumLinks = 40;
+
         private readonly string? _path;
         private readonly string? _temporary;
 
@@ -27,14 +29,16 @@ namespace LaserTracking.Host.Sessions
             try
             {
                 // A link stays a link: what it points to is replaced.
-                string whole = Path.GetFullPath(path);
-                if (IsDevice(whole))
+                string target = Path.GetFullPath(path);
+                for (int links = 0; !IsDevice(target) && new FileInfo(target).LinkTarget != null && links < MaximumLinks; links++)
+                    target = File.ResolveLinkTarget(target, returnFinalTarget: false)!.FullName;
+                if (IsDevice(target))
                 {
-                    Stream = new FileStream(whole, FileMode.Open, FileAccess.Write);
+                    Stream = new FileStream(target, FileMode.Open, FileAccess.Write);
                     return;
                 }
 
-                _path = new FileInfo(whole).LinkTarget == null ? whole : File.ResolveLinkTarget(whole, returnFinalTarget: true)!.FullName;
+                _path = target;
                 _temporary = _path + ".part";
                 Directory.CreateDirectory(Path.GetDirectoryName(_path)!);
 
