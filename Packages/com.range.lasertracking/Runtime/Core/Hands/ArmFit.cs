@@ -29,6 +29,7 @@ namespace LaserTracking.Hands
         /// <summary>The arm ends in a hole of a hand's size: the palm comes from the hole's outline and the forearm.</summary>
         public bool IsHandLost;
 
+        public int PersonId;
         public HandSide Side;
     }
 }

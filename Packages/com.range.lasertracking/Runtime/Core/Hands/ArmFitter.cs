@@ -74,6 +74,7 @@ namespace LaserTracking.Hands
                 FitLine(axis, handEnd - _settings.ForearmLengthMm, handEnd, rear, ref fit);
             Muzzle(axis, isClear, hasWeapon, front, ref fit);
             fit.Side = SideOf(part);
+            fit.PersonId = part.PersonId;
             if (isClear && IsHole(grid, hand, axis, front, out Vector3D holeRay))
                 BridgeHand(axis, front, holeRay, ref fit);
             fit.Sight = part.HasEye ? (fit.MuzzleMm - part.EyeMm).Normalized : default;

@@ -44,6 +44,9 @@ namespace LaserTracking.Hands
 
         public int ArmCount { get; private set; }
 
+        /// <summary>Not zero in the cells of arms, as of the last frame.</summary>
+        public byte[] Owner => _owner;
+
         public ReadOnlySpan<int> CellsOf(in ArmPart arm) => new ReadOnlySpan<int>(_cells, arm.First, arm.Count);
 
         public void Segment(DepthGrid grid)
@@ -112,20 +115,22 @@ namespace LaserTracking.Hands
             double far = 0;
             foreach (int cell in CellsOf(arm))
                 far = Math.Max(far, _grid.Z[cell]);
-            double limit = far - RootShare * (far - arm.NearestMm), sum = 0, low = double.MaxValue, high = double.MinValue;
+            double limit = far - RootShare * (far - arm.NearestMm), low = double.MaxValue, high = double.MinValue;
+            Vector3D sum = default;
             int count = 0;
             foreach (int cell in CellsOf(arm))
             {
                 if (_grid.Z[cell] < limit)
                     continue;
-                double x0 = _grid.RayX[cell % _grid.Width] * _grid.Z[cell];
-                sum += x0;
-                low = Math.Min(low, x0);
-                high = Math.Max(high, x0);
+                Vector3D point = _grid.Point(cell);
+                sum += point;
+                low = Math.Min(low, point.X);
+                high = Math.Max(high, point.X);
                 count++;
             }
 
-            arm.RootXMm = sum / count;
+            arm.RootMm = sum * (1.0 / count);
+            arm.RootXMm = arm.RootMm.X;
             arm.HasOneRoot = high - low < _settings.TorsoHalfWidthMm && far - arm.NearestMm > _settings.HandLengthMm;
             arm.HasTorso = _torsos.TryTorso(arm.RootXMm, out double x, out double z) && z > arm.NearestMm && z - arm.NearestMm < 2 * MaxReachMm;
             arm.TorsoMm = new Vector3D(x, 0, z);

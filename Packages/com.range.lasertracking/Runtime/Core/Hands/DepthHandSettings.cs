@@ -71,6 +71,12 @@ namespace LaserTracking.Hands
         /// <summary>How far behind the hand the forearm is looked at for the arm's axis.</summary>
         public double ForearmLengthMm { get; set; } = 250;
 
+        /// <summary>
+        /// Standard deviation between the eyes as found and the point over which the weapon is aimed, along one axis: posture, the
+        /// shape of the head and hair.
+        /// </summary>
+        public double EyeSigmaMm { get; set; } = 70;
+
         /// <summary>From the visible surface to the middle of the hand: half a palm's thickness.</summary>
         public double HandHalfThicknessMm { get; set; } = 13;
 
@@ -112,7 +118,7 @@ namespace LaserTracking.Hands
         {
             Check(NearMm >= 0 && FarMm > NearMm && FarMm <= 20000, "0 <= NearMm < FarMm <= 20000");
             Check(CellRad > 0.0005 && CellRad < 0.1, "CellRad between 0.0005 and 0.1");
-            Check(SurfaceStepMm > 0 && HoleMm >= 0 && ForwardMm > 0 && MinReachMm >= 0 && EyeBelowCrownMm >= 0 && SightSigmaRad > 0 && ForearmRadiusMm >= 0 && TorsoHalfWidthMm > 0, "lengths above zero");
+            Check(SurfaceStepMm > 0 && HoleMm >= 0 && ForwardMm > 0 && MinReachMm >= 0 && EyeBelowCrownMm >= 0 && EyeSigmaMm > 0 && SightSigmaRad > 0 && ForearmRadiusMm >= 0 && TorsoHalfWidthMm > 0, "lengths above zero");
             Check(MinArmAreaMm2 > 0 && MaxArmAreaMm2 > MinArmAreaMm2 && MaxHandAreaMm2 > MinArmAreaMm2, "areas above zero, limits in order");
             Check(HandLengthMm > 0 && ForearmLengthMm > 0 && HandHalfThicknessMm >= 0 && MinHandWidthMm >= 0, "sizes of the hand above zero");
             Check(MuzzleBeyondPalmMm >= 0 && PalmSigmaMm > 0 && MuzzleSigmaMm > 0, "uncertainties above zero");

@@ -28,6 +28,7 @@ namespace LaserTracking.Hands
         public Vector3D Axis;
         public double AxisSigmaRad;
         public Vector3D Sight;
+        public int PersonId;
 
         /// <summary>Right above zero, left below; limited, so that a new body side wins in time.</summary>
         public int SideVotes;

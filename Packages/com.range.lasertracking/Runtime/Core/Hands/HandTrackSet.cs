@@ -155,6 +155,8 @@ namespace LaserTracking.Hands
             track.Axis = fit.Axis;
             track.AxisSigmaRad = fit.AxisSigmaRad;
             track.Sight = fit.Sight;
+            if (fit.PersonId != 0)
+                track.PersonId = fit.PersonId;
         }
 
         /// <summary>
@@ -201,6 +203,7 @@ namespace LaserTracking.Hands
             observations.Add(new HandObservation
             {
                 TrackId = track.Id,
+                PersonId = track.PersonId,
                 Side = track.SideVotes >= NeededVotes ? HandSide.Right : track.SideVotes <= -NeededVotes ? HandSide.Left : HandSide.Unknown,
                 PalmMm = track.PalmMm,
                 MuzzleMm = track.PalmMm + track.MuzzleOffsetMm,

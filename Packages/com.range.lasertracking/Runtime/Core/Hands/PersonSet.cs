@@ -1,0 +1,143 @@
+using System;
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Hands
+{
+    /// <summary>Who stands where: heads averaged over many frames. Upright space inside (x along the screen, y up, z away from it), mm.</summary>
+    internal sealed class PersonSet
+    {
+        private struct Person
+        {
+            public int Id;
+            public Vector3D EyeMm;
+            public int Sightings;
+            public long SeenUs;
+        }
+
+        /// <summary>Two heads are farther apart; neighbours' middles are at least 400 mm apart.</summary>
+        private const double SamePersonMm = 230;
+
+        /// <summary>A shoulder is at most so far from its head, seen from above.</summary>
+        private const double ShoulderMm = 420;
+
+        /// <summary>Further off in height it is not the same head.</summary>
+        private const double HeadStepMm = 70;
+
+        /// <summary>How fast a head that is seen only lower comes down, a sighting.</summary>
+        private const double SinkShare = 0.01;
+
+        /// <summary>Fewer sightings may be a chair or a raised hand.</summary>
+        private const int NeededSightings = 5;
+
+        private const long MemoryUs = 5_000_000;
+        private const int MaxWeight = 30;
+
+        private readonly DepthHandSettings _settings;
+        private readonly UprightFrame _upright;
+        private readonly Person[] _people;
+        private int _count;
+        private int _nextId = 1;
+
+        public PersonSet(DepthHandSettings settings, UprightFrame upright)
+        {
+            _settings = settings;
+            _upright = upright;
+            _people = new Person[settings.MaxHands];
+        }
+
+        public void Reset()
+        {
+            _count = 0;
+            _nextId = 1;
+        }
+
+        /// <summary>Forgets who left.</summary>
+        public void Begin(long timeUs)
+        {
+            int kept = 0;
+            for (int i = 0; i < _count; i++)
+            {
+                long age = timeUs - _people[i].SeenUs;
+                // Also when time runs backwards, after a seek.
+                if (age >= 0 && age <= MemoryUs && (age < MemoryUs / 5 || _people[i].Sightings >= NeededSightings))
+                    _people[kept++] = _people[i];
+            }
+
+            _count = kept;
+        }
+
+        /// <summary>Notes a head; upright space. Of what stands at one place the highest is the head: a shoulder may hide it, or an arm.</summary>
+        public void See(Vector3D eyeMm, long timeUs)
+        {
+            int best = -1;
+            double bestDistance = SamePersonMm;
+            for (int i = 0; i < _count; i++)
+            {
+                double distance = Beside(_people[i].EyeMm, eyeMm);
+                if (distance >= bestDistance)
+                    continue;
+                best = i;
+                bestDistance = distance;
+            }
+
+            if (best < 0)
+            {
+                if (_count < _people.Length)
+                    _people[_count++] = new Person { EyeMm = eyeMm, Sightings = 1, SeenUs = timeUs };
+                return;
+            }
+
+            ref Person person = ref _people[best];
+            person.SeenUs = timeUs;
+            double higher = eyeMm.Y - person.EyeMm.Y;
+            if (higher < -HeadStepMm)
+            {
+                // Not for ever: people crouch.
+                person.EyeMm += new Vector3D(0, SinkShare * higher, 0);
+                return;
+            }
+
+            if (higher > HeadStepMm)
+                person.Sightings = Math.Min(person.Sightings, NeededSightings);
+            person.Sightings++;
+            person.EyeMm += (eyeMm - person.EyeMm) * (1.0 / Math.Min(MaxWeight, person.Sightings));
+            if (person.Id == 0 && person.Sightings >= NeededSightings)
+                person.Id = _nextId++;
+        }
+
+        /// <summary>Distance seen from above; that from the screen counts half, as it depends on what of the head is seen.</summary>
+        private static double Beside(Vector3D a, Vector3D b)
+        {
+            double x = a.X - b.X, z = 0.5 * (a.Z - b.Z);
+            return Math.Sqrt(x * x + z * z);
+        }
+
+        /// <summary>Whose arm begins here, or 0; camera space. Gives their eyes too.</summary>
+        public int Find(Vector3D rootMm, out Vector3D eyeMm)
+        {
+            Vector3D root = _upright.ToUpright(rootMm);
+            int best = -1;
+            double bestDistance = ShoulderMm;
+            for (int i = 0; i < _count; i++)
+            {
+                double distance = Beside(_people[i].EyeMm, root);
+                if (_people[i].Id == 0 || distance >= bestDistance)
+                    continue;
+                best = i;
+                bestDistance = distance;
+            }
+
+            eyeMm = best < 0 ? default : _upright.ToCamera(_people[best].EyeMm);
+            return best < 0 ? 0 : _people[best].Id;
+        }
+
+        public void Report(HandObservations observations)
+        {
+            for (int i = 0; i < _count; i++)
+            {
+                if (_people[i].Id != 0)
+                    observations.Add(new PersonObservation { PersonId = _people[i].Id, EyeMm = _upright.ToCamera(_people[i].EyeMm), SigmaMm = _settings.EyeSigmaMm });
+            }
+        }
+    }
+}
