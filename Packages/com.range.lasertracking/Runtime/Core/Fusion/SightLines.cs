@@ -17,10 +17,13 @@ namespace LaserTracking.Fusion
             public int PersonId;
             public long SeenUs;
             public Vector3D EyeM;
+
+            /// <summary>Where the eyes were when shots were learned from; the farther off now, the less those count.</summary>
+            public Vector3D LearnedAtM;
             public double SigmaM;
             public double ReachM;
 
-            /// <summary>Sums over shots of (I − u uᵀ)/σ² as xx, yy, zz, xy, xz, yz, and of that times the offset from the eyes.</summary>
+            /// <summary>Sums over shots of (I − u uᵀ)/σ² as xx, yy, zz, xy, xz, yz, and of that times the muzzle.</summary>
             public Vector3D Diagonal;
             public Vector3D Mixed;
             public Vector3D Weighted;
@@ -30,6 +33,9 @@ namespace LaserTracking.Fusion
 
         /// <summary>Weight of older shots at each new one: posture changes over some twenty.</summary>
         private const double Keep = 0.95;
+
+        /// <summary>Who moved that far has half forgotten how they stood.</summary>
+        private const double MovedM = 0.2;
 
         private readonly FusionSettings _settings;
         private readonly Entry[] _entries = new Entry[Capacity];
@@ -76,16 +82,16 @@ namespace LaserTracking.Fusion
             if (at < 0)
                 return false;
             ref readonly Entry e = ref _entries[at];
-            double prior = 1 / (e.SigmaM * e.SigmaM);
-            var a = new Vector3D(e.Diagonal.X + prior, e.Diagonal.Y + prior, e.Diagonal.Z + prior);
+            double prior = 1 / (e.SigmaM * e.SigmaM), share = StillShare(e);
+            Vector3D a = e.Diagonal * share + new Vector3D(prior, prior, prior);
             // Inverse of a symmetric 3×3: its adjugate over its determinant.
-            double xy = e.Mixed.X, xz = e.Mixed.Y, yz = e.Mixed.Z;
+            double xy = e.Mixed.X * share, xz = e.Mixed.Y * share, yz = e.Mixed.Z * share;
             double cxx = a.Y * a.Z - yz * yz, cyy = a.X * a.Z - xz * xz, czz = a.X * a.Y - xy * xy;
             double cxy = xz * yz - xy * a.Z, cxz = xy * yz - xz * a.Y, cyz = xy * xz - yz * a.X;
             double determinant = a.X * cxx + xy * cxy + xz * cxz;
-            Vector3D w = e.Weighted, u = towards.Normalized;
-            var offset = new Vector3D(cxx * w.X + cxy * w.Y + cxz * w.Z, cxy * w.X + cyy * w.Y + cyz * w.Z, cxz * w.X + cyz * w.Y + czz * w.Z);
-            pivotM = e.EyeM + offset * (1 / determinant);
+            Vector3D w = e.Weighted * share + e.EyeM * prior, u = towards.Normalized;
+            var sum = new Vector3D(cxx * w.X + cxy * w.Y + cxz * w.Z, cxy * w.X + cyy * w.Y + cyz * w.Z, cxz * w.X + cyz * w.Y + czz * w.Z);
+            pivotM = sum * (1 / determinant);
             double along = cxx * u.X * u.X + cyy * u.Y * u.Y + czz * u.Z * u.Z + 2 * (cxy * u.X * u.Y + cxz * u.X * u.Z + cyz * u.Y * u.Z);
             sigmaM = Math.Sqrt(Math.Max(0, (cxx + cyy + czz - along) / (2 * determinant)));
             reachM = e.ReachM;
@@ -101,12 +107,16 @@ namespace LaserTracking.Fusion
             ref Entry e = ref _entries[at];
             Vector3D d = muzzleM - e.EyeM, u = directionM.Normalized;
             double spread = _settings.SightSpreadRad * d.Length, weight = 1 / (muzzleSigmaM * muzzleSigmaM + spread * spread);
-            Vector3D across = d - u * Vector3D.Dot(d, u);
-            e.Diagonal = e.Diagonal * Keep + new Vector3D(1 - u.X * u.X, 1 - u.Y * u.Y, 1 - u.Z * u.Z) * weight;
-            e.Mixed = e.Mixed * Keep - new Vector3D(u.X * u.Y, u.X * u.Z, u.Y * u.Z) * weight;
-            e.Weighted = e.Weighted * Keep + across * weight;
+            Vector3D across = muzzleM - u * Vector3D.Dot(muzzleM, u);
+            double keep = Keep * StillShare(e);
+            e.LearnedAtM = e.Diagonal.LengthSquared > 0 ? e.LearnedAtM + (e.EyeM - e.LearnedAtM) * 0.3 : e.EyeM;
+            e.Diagonal = e.Diagonal * keep + new Vector3D(1 - u.X * u.X, 1 - u.Y * u.Y, 1 - u.Z * u.Z) * weight;
+            e.Mixed = e.Mixed * keep - new Vector3D(u.X * u.Y, u.X * u.Z, u.Y * u.Z) * weight;
+            e.Weighted = e.Weighted * keep + across * weight;
             e.ReachM += 0.2 * (d.Length - e.ReachM);
         }
+
+        private static double StillShare(in Entry e) => 1 / (1 + (e.EyeM - e.LearnedAtM).LengthSquared / (MovedM * MovedM));
 
         private int IndexOf(int personId)
         {

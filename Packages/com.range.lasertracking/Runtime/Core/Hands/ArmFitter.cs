@@ -73,6 +73,8 @@ namespace LaserTracking.Hands
             if (hasRear)
                 FitLine(axis, handEnd - _settings.ForearmLengthMm, handEnd, rear, ref fit);
             Muzzle(axis, isClear, hasWeapon, front, ref fit);
+            if (IsCut(grid, hand + axis * (front - Vector3D.Dot(hand, axis)), axis))
+                fit.MuzzleSigmaMm = Math.Max(fit.MuzzleSigmaMm, _settings.CutSigmaMm);
             fit.Side = SideOf(part);
             fit.PersonId = part.PersonId;
             if (isClear && IsHole(grid, hand, axis, front, out Vector3D holeRay))
@@ -306,6 +308,15 @@ namespace LaserTracking.Hands
             if (!HoleProbe.IsHole(grid, tip + axis * (0.8 * half), 0.6 * half, _settings.LostShare))
                 return false;
             return HoleProbe.Measure(grid, tip + axis * half, 1.2 * half, out _, out ray);
+        }
+
+        /// <summary>True when the front end lies at the edge of what the camera sees: the hand may well be beyond.</summary>
+        private bool IsCut(DepthGrid grid, Vector3D tip, Vector3D axis)
+        {
+            double radius = 0.25 * _settings.HandLengthMm;
+            return !HoleProbe.Measure(grid, tip + axis * radius, radius, out double share, out _) || HoleProbe.IsNearBorder(grid, tip, radius)
+                || (share > _settings.LostShare && HoleProbe.Measure(grid, tip + axis * (4 * radius), 3 * radius, out double around, out _)
+                    && around > _settings.LostShare);
         }
 
         private void BridgeHand(Vector3D axis, double front, Vector3D holeRay, ref ArmFit fit)

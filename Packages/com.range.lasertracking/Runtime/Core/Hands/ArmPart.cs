@@ -24,6 +24,12 @@ namespace LaserTracking.Hands
         public double RootXMm;
         public Vector3D RootMm;
 
+        /// <summary>Middle of all that is seen of it.</summary>
+        public Vector3D MiddleMm;
+
+        /// <summary>No deeper than a head.</summary>
+        public bool IsShallow;
+
         /// <summary>0: unknown.</summary>
         public int PersonId;
 

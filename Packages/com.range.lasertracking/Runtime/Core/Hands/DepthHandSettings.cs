@@ -98,6 +98,9 @@ namespace LaserTracking.Hands
         /// <summary>Standard deviation of a muzzle that is not seen itself, along one axis.</summary>
         public double MuzzleSigmaMm { get; set; } = 35;
 
+        /// <summary>The same of an arm that reaches the edge of what the camera sees: somewhere within half an arm.</summary>
+        public double CutSigmaMm { get; set; } = 200;
+
         /// <summary>How far a hand may be from where its track expects it, one frame later: 3 m/s at 15 frames/s.</summary>
         public double TrackGateMm { get; set; } = 200;
 
@@ -121,7 +124,7 @@ namespace LaserTracking.Hands
             Check(SurfaceStepMm > 0 && HoleMm >= 0 && ForwardMm > 0 && MinReachMm >= 0 && EyeBelowCrownMm >= 0 && EyeSigmaMm > 0 && SightSigmaRad > 0 && ForearmRadiusMm >= 0 && TorsoHalfWidthMm > 0, "lengths above zero");
             Check(MinArmAreaMm2 > 0 && MaxArmAreaMm2 > MinArmAreaMm2 && MaxHandAreaMm2 > MinArmAreaMm2, "areas above zero, limits in order");
             Check(HandLengthMm > 0 && ForearmLengthMm > 0 && HandHalfThicknessMm >= 0 && MinHandWidthMm >= 0, "sizes of the hand above zero");
-            Check(MuzzleBeyondPalmMm >= 0 && PalmSigmaMm > 0 && MuzzleSigmaMm > 0, "uncertainties above zero");
+            Check(MuzzleBeyondPalmMm >= 0 && PalmSigmaMm > 0 && MuzzleSigmaMm > 0 && CutSigmaMm > 0, "uncertainties above zero");
             Check(TrackGateMm > 0 && TrackMemoryUs >= 0 && BridgeUs >= 0, "TrackGateMm above zero, times not negative");
             Check(LostShare > 0 && LostShare <= 1, "LostShare above 0, at most 1");
             Check(MaxHands >= 1 && MaxHands <= 64, "MaxHands 1…64");

@@ -63,6 +63,8 @@ namespace LaserTracking.Hands
             for (int i = 0; i < _segmenter.ArmCount; i++)
             {
                 ref readonly ArmPart arm = ref _segmenter.Arms[i];
+                if (arm.IsShallow && _people.IsHead(arm.MiddleMm))
+                    continue;
                 if (_fitter.TryFit(_grid, _segmenter.CellsOf(arm), arm, out ArmFit fit))
                     _fits[count++] = fit;
             }

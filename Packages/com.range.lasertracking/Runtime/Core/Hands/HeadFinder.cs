@@ -12,7 +12,7 @@ namespace LaserTracking.Hands
         /// <summary>The box, from the arm's root: heads are at most so far beside, behind and above a shoulder.</summary>
         private const double AsideMm = 330;
         private const double BeforeMm = 150;
-        private const double BehindMm = 420;
+        private const double BehindMm = 550;
         private const double BelowMm = 60;
         private const double AboveMm = 480;
 

@@ -17,6 +17,8 @@ namespace LaserTracking.Hands
         /// <summary>Two heads are farther apart; neighbours' middles are at least 400 mm apart.</summary>
         private const double SamePersonMm = 230;
 
+        private const double HeadRadiusMm = 150;
+
         /// <summary>A shoulder is at most so far from its head, seen from above.</summary>
         private const double ShoulderMm = 420;
 
@@ -29,7 +31,7 @@ namespace LaserTracking.Hands
         /// <summary>Fewer sightings may be a chair or a raised hand.</summary>
         private const int NeededSightings = 5;
 
-        private const long MemoryUs = 5_000_000;
+        private const long MemoryUs = 20_000_000;
         private const int MaxWeight = 30;
 
         private readonly DepthHandSettings _settings;
@@ -59,7 +61,7 @@ namespace LaserTracking.Hands
             {
                 long age = timeUs - _people[i].SeenUs;
                 // Also when time runs backwards, after a seek.
-                if (age >= 0 && age <= MemoryUs && (age < MemoryUs / 5 || _people[i].Sightings >= NeededSightings))
+                if (age >= 0 && age <= MemoryUs && (age < MemoryUs / 20 || _people[i].Sightings >= NeededSightings))
                     _people[kept++] = _people[i];
             }
 
@@ -129,6 +131,19 @@ namespace LaserTracking.Hands
 
             eyeMm = best < 0 ? default : _upright.ToCamera(_people[best].EyeMm);
             return best < 0 ? 0 : _people[best].Id;
+        }
+
+        /// <summary>Whether a surface with this middle is somebody's head.</summary>
+        public bool IsHead(Vector3D middleMm)
+        {
+            Vector3D middle = _upright.ToUpright(middleMm);
+            for (int i = 0; i < _count; i++)
+            {
+                if (_people[i].Id != 0 && (_people[i].EyeMm - middle).Length < HeadRadiusMm)
+                    return true;
+            }
+
+            return false;
         }
 
         public void Report(HandObservations observations)
