@@ -123,21 +123,21 @@ namespace LaserTracking.Fusion
             long nearest = long.MaxValue;
             for (int i = 0; i < _handCount; i++)
             {
-                if (KeyOf(_hands[i].Hand) == key)
+                if (Share(_hands[i].Hand, key) > 0)
                     nearest = Math.Min(nearest, Math.Abs(_hands[i].DeltaUs));
             }
 
-            double sum = 0, highest = 0;
-            int count = 0;
+            double sum = 0, highest = 0, shares = 0;
             for (int i = 0; i < _handCount; i++)
             {
-                if (KeyOf(_hands[i].Hand) != key || Math.Abs(_hands[i].DeltaUs) > nearest + SameTimeUs)
+                double share = Share(_hands[i].Hand, key);
+                if (!(share > 0) || Math.Abs(_hands[i].DeltaUs) > nearest + SameTimeUs)
                     continue;
-                count++;
+                shares += share;
                 PairedHand hand = Sighted(_hands[i], key);
                 if (!ShotHandPairing.TryPair(hand, screenM, _camera, _settings, out FusedShot pair))
                     continue;
-                double density = ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings);
+                double density = share * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings);
                 sum += density;
                 if (density <= highest)
                     continue;
@@ -145,7 +145,7 @@ namespace LaserTracking.Fusion
                 best = pair;
             }
 
-            double seen = count > 0 ? sum / count : 0;
+            double seen = shares > 0 ? sum / Math.Max(1, shares) : 0;
             if (key < 0)
                 return seen;
             double hidden = HiddenShare(key, screenM);
@@ -153,6 +153,20 @@ namespace LaserTracking.Fusion
             if (unseen > (1 - hidden) * highest)
                 best = default;
             return (1 - hidden) * seen + unseen;
+        }
+
+        /// <summary>How much a hand counts as this column's: its own one fully, a neighbour's at an arm's length from these eyes less.</summary>
+        private double Share(in HandObservation hand, int key)
+        {
+            int own = KeyOf(hand);
+            if (key < 0)
+                return own == key ? 1 : 0;
+            Vector3D muzzle = _camera.ToScreenM(hand.MuzzleMm);
+            if (!_sights.TryEyes(key, out Vector3D eyes) || !_sights.TryPivot(key, muzzle - eyes, out Vector3D pivot, out _, out double reach))
+                return own == key ? 1 : 0;
+            double off = ((muzzle - pivot).Length - reach) / _settings.ReachSigmaM;
+            double share = Math.Exp(-0.5 * off * off);
+            return own == key ? Math.Max(0.1, share) : share < 0.02 ? 0 : _settings.NeighbourShare * share;
         }
 
         /// <summary>

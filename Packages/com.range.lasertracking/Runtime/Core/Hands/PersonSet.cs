@@ -25,8 +25,11 @@ namespace LaserTracking.Hands
         /// <summary>Further off in height it is not the same head.</summary>
         private const double HeadStepMm = 70;
 
+        /// <summary>What is so much nearer to the screen is an arm before the head.</summary>
+        private const double NearerStepMm = 150;
+
         /// <summary>How fast a head that is seen only lower comes down, a sighting.</summary>
-        private const double SinkShare = 0.01;
+        private const double SinkShare = 0.005;
 
         /// <summary>Fewer sightings may be a chair or a raised hand.</summary>
         private const int NeededSightings = 5;
@@ -66,6 +69,25 @@ namespace LaserTracking.Hands
             }
 
             _count = kept;
+            Merge();
+        }
+
+        /// <summary>Two that have come to stand at one place were one; the one known longer stays.</summary>
+        private void Merge()
+        {
+            for (int i = 0; i < _count; i++)
+            {
+                for (int k = _count - 1; k > i; k--)
+                {
+                    if (Beside(_people[i].EyeMm, _people[k].EyeMm) >= SamePersonMm)
+                        continue;
+                    int stays = _people[k].Sightings > 2 * _people[i].Sightings ? k : i;
+                    _people[i] = _people[stays];
+                    for (int m = k + 1; m < _count; m++)
+                        _people[m - 1] = _people[m];
+                    _count--;
+                }
+            }
         }
 
         /// <summary>Notes a head; upright space. Of what stands at one place the highest is the head: a shoulder may hide it, or an arm.</summary>
@@ -91,15 +113,15 @@ namespace LaserTracking.Hands
 
             ref Person person = ref _people[best];
             person.SeenUs = timeUs;
-            double higher = eyeMm.Y - person.EyeMm.Y;
-            if (higher < -HeadStepMm)
+            double higher = eyeMm.Y - person.EyeMm.Y, nearer = person.EyeMm.Z - eyeMm.Z;
+            if (higher < -HeadStepMm || nearer > NearerStepMm)
             {
-                // Not for ever: people crouch.
-                person.EyeMm += new Vector3D(0, SinkShare * higher, 0);
+                // Not for ever: people crouch and come nearer.
+                person.EyeMm += (eyeMm - person.EyeMm) * SinkShare;
                 return;
             }
 
-            if (higher > HeadStepMm)
+            if (higher > HeadStepMm || nearer < -NearerStepMm)
                 person.Sightings = Math.Min(person.Sightings, NeededSightings);
             person.Sightings++;
             person.EyeMm += (eyeMm - person.EyeMm) * (1.0 / Math.Min(MaxWeight, person.Sightings));
@@ -107,10 +129,10 @@ namespace LaserTracking.Hands
                 person.Id = _nextId++;
         }
 
-        /// <summary>Distance seen from above; that from the screen counts half, as it depends on what of the head is seen.</summary>
+        /// <summary>Distance seen from above; that from the screen counts a third: nobody fires from right behind another.</summary>
         private static double Beside(Vector3D a, Vector3D b)
         {
-            double x = a.X - b.X, z = 0.5 * (a.Z - b.Z);
+            double x = a.X - b.X, z = 0.35 * (a.Z - b.Z);
             return Math.Sqrt(x * x + z * z);
         }
 
