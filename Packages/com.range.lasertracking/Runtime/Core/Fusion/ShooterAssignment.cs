@@ -88,7 +88,12 @@ namespace LaserTracking.Fusion
                 Weigh(i, shots[i], screenM[i]);
             Assign(count, _hypotheses.Columns);
             for (int i = 0; i < count; i++)
-                fused[i] = Decide(i, shots[i], screenM[i], _hypotheses.Columns);
+                fused[i] = Decide(i, shots[i], _hypotheses.Columns);
+            for (int i = 0; i < count; i++)
+            {
+                for (int k = 0; k < _hypotheses.Columns; k++)
+                    _hypotheses.Learn(i, k, screenM[i], shots[i].Dot.Color, _probability[i * _settings.MaxHands + k]);
+            }
         }
 
         public void Reset()
@@ -124,7 +129,8 @@ namespace LaserTracking.Fusion
             {
                 bool hasEyes = _hypotheses.TryEyes(keys[k], out Vector3D eyes);
                 _shooters[row + k] = _registry.Find(keys[k], hasEyes ? eyes : (Vector3D?)null, _hypotheses.Pairs[row + k], shot.TimeUs, keys);
-                _hypotheses.Weights[row + k] *= _registry.ColorFactor(_shooters[row + k], shot.Dot.Color);
+                if (!hasEyes)
+                    _hypotheses.Weights[row + k] *= _registry.ColorFactor(_shooters[row + k], shot.Dot.Color);
             }
 
             _nobody[i] = _settings.NobodyPrior / _settings.ScreenAreaM2;
@@ -176,7 +182,7 @@ namespace LaserTracking.Fusion
                 _cost[row + k] /= sum;
         }
 
-        private FusedShot Decide(int i, in Shot shot, Vector2D screenM, int columns)
+        private FusedShot Decide(int i, in Shot shot, int columns)
         {
             int column = _chosen[i], row = i * _settings.MaxHands;
             if (column < 0 || column >= columns || !(_hypotheses.Weights[row + column] > 0))
@@ -198,7 +204,6 @@ namespace LaserTracking.Fusion
             if (fused.Shooter == 0)
                 return default;
             fused.ShooterProbability = Math.Min(1, probability);
-            _hypotheses.Learn(fused, key, screenM);
             return fused;
         }
     }

@@ -62,7 +62,7 @@ namespace LaserTracking.Fusion
         }
 
         public double ColorFactor(int shooter, LaserColor color) =>
-            shooter == 0 ? 1 : _shooters[shooter - 1].ColorFactor(color, _settings.ColorKeptProbability);
+            shooter == 0 ? 1 : _shooters[shooter - 1].Colors.Factor(color, _settings.ColorKeptProbability);
 
         /// <summary>Notes a shot; gives a new number for shooter 0. Returns 0 when there is no room for another person.</summary>
         public int Fired(int shooter, int key, Vector3D? eyesM, in FusedShot hand, long timeUs, LaserColor color)
@@ -81,7 +81,7 @@ namespace LaserTracking.Fusion
             if (hand.HasMuzzle)
                 record.MuzzleM = hand.MuzzleM;
             record.SeenUs = Math.Max(record.SeenUs, timeUs);
-            record.Count(color);
+            record.Colors.Count(color, 1);
             return shooter;
         }
     }

@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Detection;
 using LaserTracking.Geometry;
 using LaserTracking.Hands;
 using LaserTracking.Tracking;
@@ -11,8 +12,9 @@ namespace LaserTracking.Fusion
     /// </summary>
     internal sealed class ShotHypotheses
     {
-        /// <summary>Learned from only when that sure and that near in time.</summary>
-        private const double LearnProbability = 0.95;
+        /// <summary>Learned from only when that likely, that near in time and that well seen.</summary>
+        private const double LearnProbability = 0.6;
+        private const double MaxLearnSigmaM = 0.1;
         private const long LearnUs = 60_000;
 
         /// <summary>Of one person's sightings those count that are hardly older than the nearest.</summary>
@@ -96,15 +98,19 @@ namespace LaserTracking.Fusion
             for (int k = 0; k < Columns; k++)
             {
                 double prior = (1 - _settings.NobodyPrior) * (_keys[k] > 0 ? 1 : _settings.StrangerShare) / sum;
-                _weights[first + k] = prior * Likelihood(_keys[k], screenM, out _pairs[first + k]);
+                _weights[first + k] = prior * Likelihood(_keys[k], screenM, out _pairs[first + k]) * _sights.ColorFactor(_keys[k], shot.Dot.Color);
             }
         }
 
-        public void Learn(in FusedShot fused, int key, Vector2D screenM)
+        /// <summary>Notes with which probability a shot is a column's.</summary>
+        public void Learn(int row, int column, Vector2D screenM, LaserColor color, double probability)
         {
-            if (fused.ShooterProbability < LearnProbability || !fused.HasMuzzle || Math.Abs(fused.PairDeltaUs) > LearnUs)
+            if (probability < LearnProbability || _keys[column] < 0)
                 return;
-            _sights.Learn(key, fused.MuzzleM, fused.MuzzleSigmaM, new Vector3D(screenM.X, screenM.Y, 0) - fused.MuzzleM);
+            _sights.CountColor(_keys[column], color, probability);
+            ref readonly FusedShot pair = ref _pairs[row * _settings.MaxHands + column];
+            if (pair.HasMuzzle && Math.Abs(pair.PairDeltaUs) <= LearnUs && pair.MuzzleSigmaM < MaxLearnSigmaM)
+                _sights.Learn(_keys[column], pair.MuzzleM, pair.MuzzleSigmaM, new Vector3D(screenM.X, screenM.Y, 0) - pair.MuzzleM, probability);
         }
 
         private void GatherHands(long timeUs) =>

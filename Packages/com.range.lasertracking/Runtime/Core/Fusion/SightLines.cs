@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Detection;
 using LaserTracking.Geometry;
 using LaserTracking.Hands;
 
@@ -27,6 +28,9 @@ namespace LaserTracking.Fusion
             public Vector3D Diagonal;
             public Vector3D Mixed;
             public Vector3D Weighted;
+
+            /// <summary>Shots of each colour.</summary>
+            public ColorTally Colors;
         }
 
         private const int Capacity = 32;
@@ -98,22 +102,36 @@ namespace LaserTracking.Fusion
             return true;
         }
 
-        /// <summary>A shot that surely is this person's.</summary>
-        public void Learn(int personId, Vector3D muzzleM, double muzzleSigmaM, Vector3D directionM)
+        /// <summary>A shot that with this probability is this person's; counts that much.</summary>
+        public void Learn(int personId, Vector3D muzzleM, double muzzleSigmaM, Vector3D directionM, double probability)
         {
             int at = IndexOf(personId);
             if (at < 0)
                 return;
             ref Entry e = ref _entries[at];
             Vector3D d = muzzleM - e.EyeM, u = directionM.Normalized;
-            double spread = _settings.SightSpreadRad * d.Length, weight = 1 / (muzzleSigmaM * muzzleSigmaM + spread * spread);
+            double spread = _settings.SightSpreadRad * d.Length, weight = probability / (muzzleSigmaM * muzzleSigmaM + spread * spread);
             Vector3D across = muzzleM - u * Vector3D.Dot(muzzleM, u);
-            double keep = Keep * StillShare(e);
-            e.LearnedAtM = e.Diagonal.LengthSquared > 0 ? e.LearnedAtM + (e.EyeM - e.LearnedAtM) * 0.3 : e.EyeM;
+            double keep = (1 - (1 - Keep) * probability) * (1 - (1 - StillShare(e)) * probability);
+            e.LearnedAtM = e.Diagonal.LengthSquared > 0 ? e.LearnedAtM + (e.EyeM - e.LearnedAtM) * (0.3 * probability) : e.EyeM;
             e.Diagonal = e.Diagonal * keep + new Vector3D(1 - u.X * u.X, 1 - u.Y * u.Y, 1 - u.Z * u.Z) * weight;
             e.Mixed = e.Mixed * keep - new Vector3D(u.X * u.Y, u.X * u.Z, u.Y * u.Z) * weight;
             e.Weighted = e.Weighted * keep + across * weight;
-            e.ReachM += 0.2 * (d.Length - e.ReachM);
+            e.ReachM += 0.2 * probability * (d.Length - e.ReachM);
+        }
+
+        /// <summary>Notes a shot's colour, as a part of a shot.</summary>
+        public void CountColor(int personId, LaserColor color, double probability)
+        {
+            int at = IndexOf(personId);
+            if (at >= 0)
+                _entries[at].Colors.Count(color, probability);
+        }
+
+        public double ColorFactor(int personId, LaserColor color)
+        {
+            int at = IndexOf(personId);
+            return at < 0 ? 1 : _entries[at].Colors.Factor(color, _settings.ColorKeptProbability);
         }
 
         private static double StillShare(in Entry e) => 1 / (1 + (e.EyeM - e.LearnedAtM).LengthSquared / (MovedM * MovedM));

@@ -25,6 +25,9 @@ namespace LaserTracking.Hands
         /// <summary>A crown is at least so high above where an arm begins; else it is the shoulder itself.</summary>
         private const double MinAboveRootMm = 120;
 
+        /// <summary>A camera below the heads does not see their crowns, and the edge of what it sees is lost. Measured.</summary>
+        private const double HiddenCrownMm = 60;
+
         private const double HeadHeightMm = 200;
         private const double HeadRadiusMm = 130;
 
@@ -71,7 +74,7 @@ namespace LaserTracking.Hands
                 low = crown - HeadHeightMm;
             }
 
-            eyeMm = new Vector3D(middle.X, crown - _settings.EyeBelowCrownMm, near + EyeDepthMm);
+            eyeMm = new Vector3D(middle.X, crown + HiddenCrownMm - _settings.EyeBelowCrownMm, near + EyeDepthMm);
             return true;
         }
 
