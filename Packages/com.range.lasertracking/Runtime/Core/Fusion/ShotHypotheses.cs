@@ -109,8 +109,10 @@ namespace LaserTracking.Fusion
                 return;
             _sights.CountColor(_keys[column], color, probability);
             ref readonly FusedShot pair = ref _pairs[row * _settings.MaxHands + column];
-            if (pair.HasMuzzle && Math.Abs(pair.PairDeltaUs) <= LearnUs && pair.MuzzleSigmaM < MaxLearnSigmaM)
-                _sights.Learn(_keys[column], pair.MuzzleM, pair.MuzzleSigmaM, new Vector3D(screenM.X, screenM.Y, 0) - pair.MuzzleM, probability);
+            // A line that passes far from where they aim over says that something else is wrong: the hand, or the person.
+            double surprise = pair.SightErrorRad / (3 * SightSigmaRad(_keys[column], pair));
+            if (pair.HasMuzzle && surprise < 1 && Math.Abs(pair.PairDeltaUs) <= LearnUs && pair.MuzzleSigmaM < MaxLearnSigmaM)
+                _sights.Learn(_keys[column], pair.MuzzleM, pair.MuzzleSigmaM, new Vector3D(screenM.X, screenM.Y, 0) - pair.MuzzleM, probability * (1 - surprise * surprise));
         }
 
         private void GatherHands(long timeUs) =>
@@ -193,6 +195,14 @@ namespace LaserTracking.Fusion
             double marginX = _settings.ViewMargin * view.Width, marginY = _settings.ViewMargin * view.Height;
             bool isInView = px.X > marginX && px.X < view.Width - marginX && px.Y > marginY && px.Y < view.Height - marginY;
             return isInView ? _settings.HiddenShare : _settings.OutOfViewShare;
+        }
+
+        private double SightSigmaRad(int key, in FusedShot pair)
+        {
+            if (!_sights.TryEyes(key, out Vector3D eyes) || !_sights.TryPivot(key, pair.MuzzleM - eyes, out Vector3D pivot, out double sigma, out _))
+                return 1;
+            double reach = Math.Max(0.1, (pair.MuzzleM - pivot).Length), spread = _settings.SightSpreadRad * reach;
+            return Math.Sqrt(sigma * sigma + pair.MuzzleSigmaM * pair.MuzzleSigmaM + spread * spread) / reach;
         }
 
         /// <summary>The hand with its sight line from where this person is known to aim over.</summary>

@@ -7,6 +7,9 @@ namespace LaserTracking.Hands
     {
         public Vector3D PalmMm;
         public Vector3D MuzzleMm;
+        /// <summary>The muzzle is the end of what is seen before the hand, not inferred.</summary>
+        public bool HasWeapon;
+
         public double PalmSigmaMm;
         public double MuzzleSigmaMm;
 

@@ -20,11 +20,16 @@ namespace LaserTracking.Hands
         private readonly double[] _binHighB = new double[Bins];
         private Vector3D[] _points = Array.Empty<Vector3D>();
         private double[] _areas = Array.Empty<double>();
+        private readonly UprightFrame _upright;
         private Vector3D _anchor;
         private int _count;
         private double _cellMm;
 
-        public ArmFitter(DepthHandSettings settings) => _settings = settings;
+        public ArmFitter(DepthHandSettings settings, UprightFrame upright)
+        {
+            _settings = settings;
+            _upright = upright;
+        }
 
         /// <summary>False when the part has not the shape of an arm with a hand.</summary>
         public bool TryFit(DepthGrid grid, ReadOnlySpan<int> cells, in ArmPart part, out ArmFit fit)
@@ -277,18 +282,25 @@ namespace LaserTracking.Hands
 
         private void Muzzle(Vector3D axis, bool isClear, bool hasWeapon, double front, ref ArmFit fit)
         {
-            if (hasWeapon && Mean(axis, front - 2 * BinMm, front + 1, out Vector3D end) > 0)
+            if (hasWeapon && Mean(axis, front - 2 * BinMm, front + 1, out Vector3D end) > 0 && IsBefore(end, fit.PalmMm))
             {
                 fit.MuzzleMm = end + axis * BinMm;
+                fit.HasWeapon = true;
                 fit.MuzzleSigmaMm = 1.5 * _settings.PalmSigmaMm;
                 return;
             }
 
             double beyond = _settings.MuzzleBeyondPalmMm;
-            fit.MuzzleMm = isClear ? fit.PalmMm + axis * beyond : fit.PalmMm;
+            isClear &= Vector3D.Dot(axis, _upright.Away) < 0;
+            fit.MuzzleMm = isClear ? fit.PalmMm + axis * beyond + BoreAboveGrip(axis) : fit.PalmMm;
             double swing = isClear ? beyond * fit.AxisSigmaRad : beyond;
             fit.MuzzleSigmaMm = Math.Sqrt(_settings.MuzzleSigmaMm * _settings.MuzzleSigmaMm + swing * swing);
         }
+
+        /// <summary>Weapons point to the screen: a narrow end that is no nearer to it than the hand is an elbow or a cuff.</summary>
+        private bool IsBefore(Vector3D end, Vector3D palm) => Vector3D.Dot(palm - end, _upright.Away) > 0.25 * _settings.MuzzleBeyondPalmMm;
+
+        private Vector3D BoreAboveGrip(Vector3D axis) => (_upright.Up - axis * Vector3D.Dot(_upright.Up, axis)).Normalized * _settings.BoreAboveGripMm;
 
         /// <summary>The camera faces the trainee: their right shoulder is on the picture's left. Near the body's middle: unknown.</summary>
         private HandSide SideOf(in ArmPart part)
@@ -330,7 +342,7 @@ namespace LaserTracking.Hands
             if (TryLineDepth(fit, holeRay, out double onLine))
                 z = onLine;
             fit.PalmMm = holeRay * (z + _settings.HandHalfThicknessMm);
-            fit.MuzzleMm = fit.PalmMm + axis * _settings.MuzzleBeyondPalmMm;
+            fit.MuzzleMm = fit.PalmMm + axis * _settings.MuzzleBeyondPalmMm + BoreAboveGrip(axis);
             fit.PalmSigmaMm *= 3;
             fit.MuzzleSigmaMm = Math.Sqrt(fit.MuzzleSigmaMm * fit.MuzzleSigmaMm + fit.PalmSigmaMm * fit.PalmSigmaMm);
         }

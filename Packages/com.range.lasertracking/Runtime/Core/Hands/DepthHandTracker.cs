@@ -42,7 +42,7 @@ namespace LaserTracking.Hands
             used.Validate();
             _grid = new DepthGrid(camera, used);
             _segmenter = new BodySegmenter(used);
-            _fitter = new ArmFitter(used);
+            _fitter = new ArmFitter(used, upright);
             _heads = new HeadFinder(used, upright);
             _people = new PersonSet(used, upright);
             _tracks = new HandTrackSet(used);

@@ -25,6 +25,11 @@ namespace LaserTracking.Hands
         /// <summary>From palm to muzzle, as last measured.</summary>
         public Vector3D MuzzleOffsetMm;
 
+        /// <summary>Palm and offset to the muzzle when the weapon itself was last seen; time 0: never.</summary>
+        public Vector3D WeaponPalmMm;
+        public Vector3D WeaponOffsetMm;
+        public long WeaponUs;
+
         public Vector3D Axis;
         public double AxisSigmaRad;
         public Vector3D Sight;
