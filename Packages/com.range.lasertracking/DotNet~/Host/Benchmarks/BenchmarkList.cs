@@ -49,7 +49,7 @@ namespace LaserTracking.Host.Benchmarks
         {
             SimulatedRange range = FrameLoop.Range(320, 180, PixelFormat.Nv12, 2, 40, 10);
             var frames = new FrameLoop(range.CreateDepthSource(), LoopFrames);
-            var tracker = new DepthHandTracker(range.Calibration.HandCamera!.Intrinsics);
+            var tracker = new DepthHandTracker(range.Calibration.HandCamera!);
             var hands = new HandObservations();
             return number => tracker.Process(frames[number], hands);
         }
@@ -95,7 +95,7 @@ namespace LaserTracking.Host.Benchmarks
             var screenFrames = new FrameLoop(range.CreateColorSource(), LoopFrames);
             var handFrames = new FrameLoop(range.CreateDepthSource(), LoopFrames);
             HandCamera camera = range.Calibration.HandCamera!;
-            var pipeline = new RangePipeline(new ShotDetector(), new ShotTracker(), range.Calibration, new DepthHandTracker(camera.Intrinsics),
+            var pipeline = new RangePipeline(new ShotDetector(), new ShotTracker(), range.Calibration, new DepthHandTracker(camera),
                 new ShooterAssignment(camera), new ShotScorer(range.Scene), new JsonLinesSink(Stream.Null));
             pipeline.Begin(new SessionHeader("bench", Array.Empty<SessionInput>(), null, "shots", null));
             return number =>

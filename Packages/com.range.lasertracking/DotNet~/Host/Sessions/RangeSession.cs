@@ -36,7 +36,7 @@ namespace LaserTracking.Host.Sessions
                 CreateDetector(plan.Detector),
                 new ShotTracker(),
                 plan.Calibration,
-                handCamera == null ? null : new DepthHandTracker(handCamera.Intrinsics),
+                handCamera == null ? null : new DepthHandTracker(handCamera),
                 handCamera == null ? null : new ShooterAssignment(handCamera, FusionFor(plan.Calibration!)),
                 plan.Scene == null ? null : new ShotScorer(plan.Scene),
                 sink,

@@ -43,6 +43,27 @@ namespace LaserTracking.Fusion
         /// <summary>Probability, before anything is seen, that a shot came from none of the hands in sight.</summary>
         public double NobodyPrior { get; set; } = 0.05;
 
+        /// <summary>How much less likely than a person a hand whose person is not known is to fire: half a second of a chair, a raised foot.</summary>
+        public double StrangerShare { get; set; } = 0.3;
+
+        /// <summary>Probability that the hand that fires is not among those seen although it should be in camera 1's picture.</summary>
+        public double HiddenShare { get; set; } = 0.08;
+
+        /// <summary>The same where it would be outside the picture.</summary>
+        public double OutOfViewShare { get; set; } = 0.6;
+
+        /// <summary>Share of the picture's width and height along each edge that does not count as seen.</summary>
+        public double ViewMargin { get; set; } = 0.05;
+
+        /// <summary>From the eyes to the muzzle of somebody who aims and has not fired yet, metres.</summary>
+        public double ReachM { get; set; } = 0.75;
+
+        /// <summary>Standard deviation of that.</summary>
+        public double ReachSigmaM { get; set; } = 0.12;
+
+        /// <summary>Weight of a hand that seems to be a neighbour's: arms are given to the nearest head, which may be wrong.</summary>
+        public double NeighbourShare { get; set; } = 0.3;
+
         /// <summary>Over which a shot from nobody in sight is spread evenly, m². The published screen has 8.4.</summary>
         public double ScreenAreaM2 { get; set; } = 8.4;
 
@@ -79,6 +100,8 @@ namespace LaserTracking.Fusion
             Check(SightedShare >= 0 && SightedShare <= 1 && SightSpreadRad >= 0, "SightedShare 0…1, SightSpreadRad not negative");
             Check(OutlierShare >= 0 && OutlierShare < 1, "OutlierShare at least 0, below 1");
             Check(NobodyPrior > 0 && NobodyPrior < 1, "NobodyPrior between 0 and 1");
+            Check(StrangerShare > 0 && HiddenShare >= 0 && HiddenShare < 1 && OutOfViewShare >= 0 && OutOfViewShare < 1, "StrangerShare above 0, HiddenShare and OutOfViewShare at least 0, below 1");
+            Check(ViewMargin >= 0 && ViewMargin < 0.5 && ReachM > 0 && ReachSigmaM > 0 && NeighbourShare >= 0 && NeighbourShare <= 1, "ViewMargin 0…0.5, lengths above zero, NeighbourShare 0…1");
             Check(ScreenAreaM2 > 0, "ScreenAreaM2 above zero");
             Check(ColorKeptProbability > 0.25 && ColorKeptProbability < 1, "ColorKeptProbability between 0.25 and 1");
             Check(MinProbability >= 0 && MinProbability <= 1, "MinProbability 0…1");

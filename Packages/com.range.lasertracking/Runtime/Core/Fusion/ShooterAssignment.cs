@@ -15,18 +15,14 @@ namespace LaserTracking.Fusion
     {
         private readonly HandCamera _camera;
         private readonly FusionSettings _settings;
-        private readonly HandHistory _history;
+        private readonly ShotHypotheses _hypotheses;
         private readonly ShooterRegistry _registry;
         private readonly HungarianAssignment _hungarian;
-        private readonly PairedHand[] _hands;
-        private readonly int[] _handCount;
-        private readonly FusedShot[] _pairs;
         private readonly int[] _shooters;
-        private readonly double[] _weights;
         private readonly double[] _nobody;
         private readonly double[] _cost;
         private readonly double[] _probability;
-        private readonly int[] _ids;
+        private readonly PairedHand[] _published;
         private readonly int[] _chosen;
 
         /// <param name="camera">Camera 1: its place relative to the screen.</param>
@@ -38,27 +34,23 @@ namespace LaserTracking.Fusion
             _settings = settings ?? new FusionSettings();
             _settings.Validate();
             int shots = _settings.MaxShots, hands = _settings.MaxHands;
-            _history = new HandHistory(_settings.HistoryLength);
+            _hypotheses = new ShotHypotheses(camera, _settings);
             _registry = new ShooterRegistry(_settings);
             _hungarian = new HungarianAssignment(hands + shots);
-            _hands = new PairedHand[shots * hands];
-            _handCount = new int[shots];
-            _pairs = new FusedShot[shots * hands];
             _shooters = new int[shots * hands];
-            _weights = new double[shots * hands];
             _probability = new double[shots * hands];
             _nobody = new double[shots];
             _cost = new double[shots * (hands + shots)];
-            _ids = new int[hands];
+            _published = new PairedHand[hands];
             _chosen = new int[shots];
         }
 
         /// <summary>Notes one frame of camera 1, its time on camera 0's clock. Frames may come before or after the shots they belong to.</summary>
         public void AddHands(HandObservations hands)
         {
-            _history.Add(hands);
+            _hypotheses.Add(hands);
             foreach (ref readonly HandObservation hand in hands.Hands)
-                _registry.See(hand.TrackId, _camera.ToScreenM(hand.MuzzleMm), hands.TimeUs);
+                _registry.See(ShotHypotheses.KeyOf(hand), _camera.ToScreenM(hand.MuzzleMm), hands.TimeUs);
         }
 
         /// <summary>One shot that is alone in its frame.</summary>
@@ -89,24 +81,31 @@ namespace LaserTracking.Fusion
                 return;
             }
 
-            int columns = CollectHands(shots.Slice(0, count));
+            _hypotheses.Begin();
             for (int i = 0; i < count; i++)
-                Weigh(i, shots[i], screenM[i], columns);
-            Assign(count, columns);
+                _hypotheses.Collect(shots[i]);
             for (int i = 0; i < count; i++)
-                fused[i] = Decide(i, shots[i], columns);
+                Weigh(i, shots[i], screenM[i]);
+            Assign(count, _hypotheses.Columns);
+            for (int i = 0; i < count; i++)
+                fused[i] = Decide(i, shots[i], _hypotheses.Columns);
+            for (int i = 0; i < count; i++)
+            {
+                for (int k = 0; k < _hypotheses.Columns; k++)
+                    _hypotheses.Learn(i, k, screenM[i], shots[i].Dot.Color, _probability[i * _settings.MaxHands + k]);
+            }
         }
 
         public void Reset()
         {
-            _history.Clear();
+            _hypotheses.Clear();
             _registry.Clear();
         }
 
         private FusedShot FusePublished(in Shot shot, Vector2D screenM)
         {
-            Span<PairedHand> hands = _hands;
-            int count = _history.At(shot.TimeUs, _settings.WindowUs, 0, hands.Slice(0, _settings.MaxHands));
+            Span<PairedHand> hands = _published;
+            int count = _hypotheses.History.At(shot.TimeUs, _settings.WindowUs, 0, hands);
             int nearest = -1;
             for (int i = 0; i < count; i++)
             {
@@ -121,43 +120,17 @@ namespace LaserTracking.Fusion
             return fused;
         }
 
-        /// <summary>Every hand that any of the shots can be paired with is one column.</summary>
-        private int CollectHands(ReadOnlySpan<Shot> shots)
+        private void Weigh(int i, in Shot shot, Vector2D screenM)
         {
-            int columns = 0;
-            for (int i = 0; i < shots.Length; i++)
-            {
-                Span<PairedHand> hands = HandsOf(i);
-                _handCount[i] = _history.At(shots[i].TimeUs, _settings.WindowUs, _settings.MaxInterpolationUs, hands);
-                for (int k = 0; k < _handCount[i]; k++)
-                {
-                    int id = hands[k].Hand.TrackId;
-                    if (columns < _ids.Length && Array.IndexOf(_ids, id, 0, columns) < 0)
-                        _ids[columns++] = id;
-                }
-            }
-
-            return columns;
-        }
-
-        private Span<PairedHand> HandsOf(int shot) => new Span<PairedHand>(_hands, shot * _settings.MaxHands, _settings.MaxHands);
-
-        private void Weigh(int i, in Shot shot, Vector2D screenM, int columns)
-        {
+            _hypotheses.Weigh(i, shot, screenM);
             int row = i * _settings.MaxHands;
-            Array.Clear(_weights, row, _settings.MaxHands);
-            ReadOnlySpan<PairedHand> hands = HandsOf(i).Slice(0, _handCount[i]);
-            double prior = hands.Length > 0 ? (1 - _settings.NobodyPrior) / hands.Length : 0;
-            foreach (ref readonly PairedHand hand in hands)
+            ReadOnlySpan<int> keys = _hypotheses.Keys;
+            for (int k = 0; k < keys.Length; k++)
             {
-                int column = Array.IndexOf(_ids, hand.Hand.TrackId, 0, columns);
-                if (column < 0 || !ShotHandPairing.TryPair(hand, screenM, _camera, _settings, out FusedShot pair))
-                    continue;
-                int at = row + column;
-                _pairs[at] = pair;
-                _shooters[at] = _registry.Find(hand.Hand.TrackId, pair.MuzzleM, shot.TimeUs, hands);
-                _weights[at] = prior * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings)
-                    * _registry.ColorFactor(_shooters[at], shot.Dot.Color);
+                bool hasEyes = _hypotheses.TryEyes(keys[k], out Vector3D eyes);
+                _shooters[row + k] = _registry.Find(keys[k], hasEyes ? eyes : (Vector3D?)null, _hypotheses.Pairs[row + k], shot.TimeUs, keys);
+                if (!hasEyes)
+                    _hypotheses.Weights[row + k] *= _registry.ColorFactor(_shooters[row + k], shot.Dot.Color);
             }
 
             _nobody[i] = _settings.NobodyPrior / _settings.ScreenAreaM2;
@@ -171,7 +144,7 @@ namespace LaserTracking.Fusion
             {
                 for (int k = 0; k < width; k++)
                 {
-                    double weight = k < columns ? _weights[i * _settings.MaxHands + k] : k - columns == i ? _nobody[i] : 0;
+                    double weight = k < columns ? _hypotheses.Weights[i * _settings.MaxHands + k] : k - columns == i ? _nobody[i] : 0;
                     _cost[i * width + k] = weight > 0 ? -Math.Log(weight) : HungarianAssignment.Forbidden;
                 }
             }
@@ -194,7 +167,7 @@ namespace LaserTracking.Fusion
             Array.Clear(_cost, row, _settings.MaxHands);
             for (int k = 0; k < columns; k++)
             {
-                double weight = _weights[row + k];
+                double weight = _hypotheses.Weights[row + k];
                 for (int j = 0; shared && j < count; j++)
                 {
                     if (j != i)
@@ -212,22 +185,22 @@ namespace LaserTracking.Fusion
         private FusedShot Decide(int i, in Shot shot, int columns)
         {
             int column = _chosen[i], row = i * _settings.MaxHands;
-            if (column < 0 || column >= columns || !(_weights[row + column] > 0))
+            if (column < 0 || column >= columns || !(_hypotheses.Weights[row + column] > 0))
                 return default;
-            FusedShot fused = _pairs[row + column];
-            int shooter = _shooters[row + column];
+            FusedShot fused = _hypotheses.Pairs[row + column];
+            int shooter = _shooters[row + column], key = _hypotheses.Keys[column];
             double probability = _probability[row + column];
-            // Whichever of their hands it was, the shooter is the same.
+            // Under whichever key they are seen, the shooter is the same.
             for (int k = 0; k < columns; k++)
             {
-                if (k != column && shooter != 0 && _weights[row + k] > 0 && _shooters[row + k] == shooter)
+                if (k != column && shooter != 0 && _shooters[row + k] == shooter)
                     probability += _probability[row + k];
             }
 
             if (probability < _settings.MinProbability)
                 return default;
-            LaserColor color = shot.Dot.Color;
-            fused.Shooter = _registry.Fired(shooter, fused.HandTrackId, fused.MuzzleM, shot.TimeUs, color);
+            bool hasEyes = _hypotheses.TryEyes(key, out Vector3D eyes);
+            fused.Shooter = _registry.Fired(shooter, key, hasEyes ? eyes : (Vector3D?)null, fused, shot.TimeUs, shot.Dot.Color);
             if (fused.Shooter == 0)
                 return default;
             fused.ShooterProbability = Math.Min(1, probability);

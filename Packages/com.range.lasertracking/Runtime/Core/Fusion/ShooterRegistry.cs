@@ -19,27 +19,28 @@ namespace LaserTracking.Fusion
         public void Clear() => _count = 0;
 
         /// <summary>Notes where a hand is now.</summary>
-        public void See(int trackId, Vector3D muzzleM, long timeUs)
+        public void See(int key, Vector3D muzzleM, long timeUs)
         {
             for (int i = 0; i < _count; i++)
             {
-                if (_shooters[i].TrackId != trackId)
+                if (_shooters[i].Key != key)
                     continue;
                 _shooters[i].MuzzleM = muzzleM;
                 _shooters[i].SeenUs = Math.Max(_shooters[i].SeenUs, timeUs);
             }
         }
 
-        /// <summary>The number of the shooter whose hand this is, or 0 when nobody of that place has fired yet.</summary>
-        /// <param name="trackId">Of the hand.</param>
-        /// <param name="muzzleM">Where it is.</param>
+        /// <summary>The number of the shooter who this is, or 0 when nobody of that place has fired yet.</summary>
+        /// <param name="key">A person, or minus the track of a hand.</param>
+        /// <param name="eyesM">Where they stand, if known.</param>
+        /// <param name="hand">Where their hand is, if seen.</param>
         /// <param name="timeUs">When.</param>
-        /// <param name="visible">The hands seen at that time: a shooter whose own hand is among them is not taken over from afar.</param>
-        public int Find(int trackId, Vector3D muzzleM, long timeUs, ReadOnlySpan<PairedHand> visible)
+        /// <param name="visible">All keys seen at that time: a shooter who is among them is not taken over from afar.</param>
+        public int Find(int key, Vector3D? eyesM, in FusedShot hand, long timeUs, ReadOnlySpan<int> visible)
         {
             for (int i = 0; i < _count; i++)
             {
-                if (_shooters[i].TrackId == trackId)
+                if (_shooters[i].Key == key)
                     return i + 1;
             }
 
@@ -47,9 +48,11 @@ namespace LaserTracking.Fusion
             double bestDistance = double.MaxValue;
             for (int i = 0; i < _count; i++)
             {
-                double distance = (_shooters[i].MuzzleM - muzzleM).Length;
-                double reach = IsVisible(_shooters[i].TrackId, visible) ? _settings.SameWeaponM : _settings.RelinkM;
-                if (distance > reach || distance >= bestDistance || Math.Abs(timeUs - _shooters[i].SeenUs) > _settings.RelinkUs)
+                ref readonly ShooterRecord record = ref _shooters[i];
+                double distance = record.EyesM is Vector3D stood && eyesM is Vector3D stands ? (stood - stands).Length
+                    : record.MuzzleM is Vector3D muzzle && hand.HasMuzzle ? (muzzle - hand.MuzzleM).Length : double.MaxValue;
+                double reach = visible.IndexOf(record.Key) >= 0 ? _settings.SameWeaponM : _settings.RelinkM;
+                if (distance > reach || distance >= bestDistance || Math.Abs(timeUs - record.SeenUs) > _settings.RelinkUs)
                     continue;
                 best = i + 1;
                 bestDistance = distance;
@@ -59,10 +62,10 @@ namespace LaserTracking.Fusion
         }
 
         public double ColorFactor(int shooter, LaserColor color) =>
-            shooter == 0 ? 1 : _shooters[shooter - 1].ColorFactor(color, _settings.ColorKeptProbability);
+            shooter == 0 ? 1 : _shooters[shooter - 1].Colors.Factor(color, _settings.ColorKeptProbability);
 
         /// <summary>Notes a shot; gives a new number for shooter 0. Returns 0 when there is no room for another person.</summary>
-        public int Fired(int shooter, int trackId, Vector3D muzzleM, long timeUs, LaserColor color)
+        public int Fired(int shooter, int key, Vector3D? eyesM, in FusedShot hand, long timeUs, LaserColor color)
         {
             if (shooter == 0)
             {
@@ -73,22 +76,13 @@ namespace LaserTracking.Fusion
             }
 
             ref ShooterRecord record = ref _shooters[shooter - 1];
-            record.TrackId = trackId;
-            record.MuzzleM = muzzleM;
+            record.Key = key;
+            record.EyesM = eyesM;
+            if (hand.HasMuzzle)
+                record.MuzzleM = hand.MuzzleM;
             record.SeenUs = Math.Max(record.SeenUs, timeUs);
-            record.Count(color);
+            record.Colors.Count(color, 1);
             return shooter;
-        }
-
-        private static bool IsVisible(int trackId, ReadOnlySpan<PairedHand> visible)
-        {
-            foreach (ref readonly PairedHand hand in visible)
-            {
-                if (hand.Hand.TrackId == trackId)
-                    return true;
-            }
-
-            return false;
         }
     }
 }

@@ -7,6 +7,9 @@ namespace LaserTracking.Hands
     {
         public Vector3D PalmMm;
         public Vector3D MuzzleMm;
+        /// <summary>The muzzle is the end of what is seen before the hand, not inferred.</summary>
+        public bool HasWeapon;
+
         public double PalmSigmaMm;
         public double MuzzleSigmaMm;
 
@@ -29,6 +32,7 @@ namespace LaserTracking.Hands
         /// <summary>The arm ends in a hole of a hand's size: the palm comes from the hole's outline and the forearm.</summary>
         public bool IsHandLost;
 
+        public int PersonId;
         public HandSide Side;
     }
 }

@@ -20,11 +20,16 @@ namespace LaserTracking.Hands
         private readonly double[] _binHighB = new double[Bins];
         private Vector3D[] _points = Array.Empty<Vector3D>();
         private double[] _areas = Array.Empty<double>();
+        private readonly UprightFrame _upright;
         private Vector3D _anchor;
         private int _count;
         private double _cellMm;
 
-        public ArmFitter(DepthHandSettings settings) => _settings = settings;
+        public ArmFitter(DepthHandSettings settings, UprightFrame upright)
+        {
+            _settings = settings;
+            _upright = upright;
+        }
 
         /// <summary>False when the part has not the shape of an arm with a hand.</summary>
         public bool TryFit(DepthGrid grid, ReadOnlySpan<int> cells, in ArmPart part, out ArmFit fit)
@@ -73,7 +78,10 @@ namespace LaserTracking.Hands
             if (hasRear)
                 FitLine(axis, handEnd - _settings.ForearmLengthMm, handEnd, rear, ref fit);
             Muzzle(axis, isClear, hasWeapon, front, ref fit);
+            if (IsCut(grid, hand + axis * (front - Vector3D.Dot(hand, axis)), axis))
+                fit.MuzzleSigmaMm = Math.Max(fit.MuzzleSigmaMm, _settings.CutSigmaMm);
             fit.Side = SideOf(part);
+            fit.PersonId = part.PersonId;
             if (isClear && IsHole(grid, hand, axis, front, out Vector3D holeRay))
                 BridgeHand(axis, front, holeRay, ref fit);
             fit.Sight = part.HasEye ? (fit.MuzzleMm - part.EyeMm).Normalized : default;
@@ -274,18 +282,25 @@ namespace LaserTracking.Hands
 
         private void Muzzle(Vector3D axis, bool isClear, bool hasWeapon, double front, ref ArmFit fit)
         {
-            if (hasWeapon && Mean(axis, front - 2 * BinMm, front + 1, out Vector3D end) > 0)
+            if (hasWeapon && Mean(axis, front - 2 * BinMm, front + 1, out Vector3D end) > 0 && IsBefore(end, fit.PalmMm))
             {
                 fit.MuzzleMm = end + axis * BinMm;
+                fit.HasWeapon = true;
                 fit.MuzzleSigmaMm = 1.5 * _settings.PalmSigmaMm;
                 return;
             }
 
             double beyond = _settings.MuzzleBeyondPalmMm;
-            fit.MuzzleMm = isClear ? fit.PalmMm + axis * beyond : fit.PalmMm;
+            isClear &= Vector3D.Dot(axis, _upright.Away) < 0;
+            fit.MuzzleMm = isClear ? fit.PalmMm + axis * beyond + BoreAboveGrip(axis) : fit.PalmMm;
             double swing = isClear ? beyond * fit.AxisSigmaRad : beyond;
             fit.MuzzleSigmaMm = Math.Sqrt(_settings.MuzzleSigmaMm * _settings.MuzzleSigmaMm + swing * swing);
         }
+
+        /// <summary>Weapons point to the screen: a narrow end that is no nearer to it than the hand is an elbow or a cuff.</summary>
+        private bool IsBefore(Vector3D end, Vector3D palm) => Vector3D.Dot(palm - end, _upright.Away) > 0.25 * _settings.MuzzleBeyondPalmMm;
+
+        private Vector3D BoreAboveGrip(Vector3D axis) => (_upright.Up - axis * Vector3D.Dot(_upright.Up, axis)).Normalized * _settings.BoreAboveGripMm;
 
         /// <summary>The camera faces the trainee: their right shoulder is on the picture's left. Near the body's middle: unknown.</summary>
         private HandSide SideOf(in ArmPart part)
@@ -307,6 +322,15 @@ namespace LaserTracking.Hands
             return HoleProbe.Measure(grid, tip + axis * half, 1.2 * half, out _, out ray);
         }
 
+        /// <summary>True when the front end lies at the edge of what the camera sees: the hand may well be beyond.</summary>
+        private bool IsCut(DepthGrid grid, Vector3D tip, Vector3D axis)
+        {
+            double radius = 0.25 * _settings.HandLengthMm;
+            return !HoleProbe.Measure(grid, tip + axis * radius, radius, out double share, out _) || HoleProbe.IsNearBorder(grid, tip, radius)
+                || (share > _settings.LostShare && HoleProbe.Measure(grid, tip + axis * (4 * radius), 3 * radius, out double around, out _)
+                    && around > _settings.LostShare);
+        }
+
         private void BridgeHand(Vector3D axis, double front, Vector3D holeRay, ref ArmFit fit)
         {
             Mean(axis, front - _settings.ForearmLengthMm, front + 1, out Vector3D middle);
@@ -318,7 +342,7 @@ namespace LaserTracking.Hands
             if (TryLineDepth(fit, holeRay, out double onLine))
                 z = onLine;
             fit.PalmMm = holeRay * (z + _settings.HandHalfThicknessMm);
-            fit.MuzzleMm = fit.PalmMm + axis * _settings.MuzzleBeyondPalmMm;
+            fit.MuzzleMm = fit.PalmMm + axis * _settings.MuzzleBeyondPalmMm + BoreAboveGrip(axis);
             fit.PalmSigmaMm *= 3;
             fit.MuzzleSigmaMm = Math.Sqrt(fit.MuzzleSigmaMm * fit.MuzzleSigmaMm + fit.PalmSigmaMm * fit.PalmSigmaMm);
         }

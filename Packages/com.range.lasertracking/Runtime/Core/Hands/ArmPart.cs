@@ -22,6 +22,16 @@ namespace LaserTracking.Hands
 
         /// <summary>Where its rear end is.</summary>
         public double RootXMm;
+        public Vector3D RootMm;
+
+        /// <summary>Middle of all that is seen of it.</summary>
+        public Vector3D MiddleMm;
+
+        /// <summary>No deeper than a head.</summary>
+        public bool IsShallow;
+
+        /// <summary>0: unknown.</summary>
+        public int PersonId;
 
         /// <summary>False where two arms hold one weapon, or too little is seen to tell where it comes from.</summary>
         public bool HasOneRoot;

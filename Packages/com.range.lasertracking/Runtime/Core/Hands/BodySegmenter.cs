@@ -21,6 +21,9 @@ namespace LaserTracking.Hands
         /// <summary>Neighbours' middles are at least 0.4 m apart.</summary>
         private const double SamePersonMm = 180;
 
+        /// <summary>What is seen of a head is no deeper, what points at the camera is.</summary>
+        private const double HeadDepthMm = 220;
+
         private readonly DepthHandSettings _settings;
         private readonly TorsoProfile _torsos;
         private readonly int[] _contacts;
@@ -43,6 +46,9 @@ namespace LaserTracking.Hands
         public ArmPart[] Arms { get; }
 
         public int ArmCount { get; private set; }
+
+        /// <summary>Not zero in the cells of arms, as of the last frame; what may be a head is none.</summary>
+        public byte[] Owner => _owner;
 
         public ReadOnlySpan<int> CellsOf(in ArmPart arm) => new ReadOnlySpan<int>(_cells, arm.First, arm.Count);
 
@@ -76,8 +82,13 @@ namespace LaserTracking.Hands
 
             PlaceOnTorsos();
             JoinOccluded();
+            Array.Clear(_owner, 0, _owner.Length);
             for (int i = 0; i < ArmCount; i++)
+            {
                 PlaceEye(ref Arms[i]);
+                foreach (int cell in CellsOf(Arms[i]))
+                    _owner[cell] = Arms[i].IsShallow ? (byte)0 : (byte)(i + 1);
+            }
         }
 
         /// <summary>Finds each part's torso; what floats at a torso's distance is a head or a leg of it, cut off by lost edges.</summary>
@@ -112,20 +123,25 @@ namespace LaserTracking.Hands
             double far = 0;
             foreach (int cell in CellsOf(arm))
                 far = Math.Max(far, _grid.Z[cell]);
-            double limit = far - RootShare * (far - arm.NearestMm), sum = 0, low = double.MaxValue, high = double.MinValue;
+            double limit = far - RootShare * (far - arm.NearestMm), low = double.MaxValue, high = double.MinValue;
+            Vector3D sum = default, all = default;
             int count = 0;
             foreach (int cell in CellsOf(arm))
             {
-                if (_grid.Z[cell] < limit)
+                Vector3D point = _grid.Point(cell);
+                all += point;
+                if (point.Z < limit)
                     continue;
-                double x0 = _grid.RayX[cell % _grid.Width] * _grid.Z[cell];
-                sum += x0;
-                low = Math.Min(low, x0);
-                high = Math.Max(high, x0);
+                sum += point;
+                low = Math.Min(low, point.X);
+                high = Math.Max(high, point.X);
                 count++;
             }
 
-            arm.RootXMm = sum / count;
+            arm.MiddleMm = all * (1.0 / arm.Count);
+            arm.IsShallow = far - arm.NearestMm < HeadDepthMm;
+            arm.RootMm = sum * (1.0 / count);
+            arm.RootXMm = arm.RootMm.X;
             arm.HasOneRoot = high - low < _settings.TorsoHalfWidthMm && far - arm.NearestMm > _settings.HandLengthMm;
             arm.HasTorso = _torsos.TryTorso(arm.RootXMm, out double x, out double z) && z > arm.NearestMm && z - arm.NearestMm < 2 * MaxReachMm;
             arm.TorsoMm = new Vector3D(x, 0, z);

@@ -71,6 +71,12 @@ namespace LaserTracking.Hands
         /// <summary>How far behind the hand the forearm is looked at for the arm's axis.</summary>
         public double ForearmLengthMm { get; set; } = 250;
 
+        /// <summary>
+        /// Standard deviation between the eyes as found and the point over which the weapon is aimed, along one axis: posture, the
+        /// shape of the head and hair.
+        /// </summary>
+        public double EyeSigmaMm { get; set; } = 60;
+
         /// <summary>From the visible surface to the middle of the hand: half a palm's thickness.</summary>
         public double HandHalfThicknessMm { get; set; } = 13;
 
@@ -86,11 +92,26 @@ namespace LaserTracking.Hands
         /// <summary>Where no weapon is seen: from the palm to the muzzle along the arm. 130 mm fits a pistol held in a fist.</summary>
         public double MuzzleBeyondPalmMm { get; set; } = 130;
 
+        /// <summary>How far a pistol's bore lies above the middle of the hand that holds it.</summary>
+        public double BoreAboveGripMm { get; set; } = 50;
+
+        /// <summary>
+        /// A weapon's thin end comes and goes in depth. While the hand has moved less than this since it was seen, it is where it was on
+        /// the hand.
+        /// </summary>
+        public double WeaponKeptMm { get; set; } = 80;
+
+        /// <summary>For how long that holds, microseconds.</summary>
+        public long WeaponKeptUs { get; set; } = 1_000_000;
+
         /// <summary>Standard deviation of the sensor and of the hand's shape together, along one axis.</summary>
         public double PalmSigmaMm { get; set; } = 12;
 
         /// <summary>Standard deviation of a muzzle that is not seen itself, along one axis.</summary>
         public double MuzzleSigmaMm { get; set; } = 35;
+
+        /// <summary>The same of an arm that reaches the edge of what the camera sees: somewhere within half an arm.</summary>
+        public double CutSigmaMm { get; set; } = 200;
 
         /// <summary>How far a hand may be from where its track expects it, one frame later: 3 m/s at 15 frames/s.</summary>
         public double TrackGateMm { get; set; } = 200;
@@ -112,10 +133,10 @@ namespace LaserTracking.Hands
         {
             Check(NearMm >= 0 && FarMm > NearMm && FarMm <= 20000, "0 <= NearMm < FarMm <= 20000");
             Check(CellRad > 0.0005 && CellRad < 0.1, "CellRad between 0.0005 and 0.1");
-            Check(SurfaceStepMm > 0 && HoleMm >= 0 && ForwardMm > 0 && MinReachMm >= 0 && EyeBelowCrownMm >= 0 && SightSigmaRad > 0 && ForearmRadiusMm >= 0 && TorsoHalfWidthMm > 0, "lengths above zero");
+            Check(SurfaceStepMm > 0 && HoleMm >= 0 && ForwardMm > 0 && MinReachMm >= 0 && EyeBelowCrownMm >= 0 && EyeSigmaMm > 0 && SightSigmaRad > 0 && ForearmRadiusMm >= 0 && TorsoHalfWidthMm > 0, "lengths above zero");
             Check(MinArmAreaMm2 > 0 && MaxArmAreaMm2 > MinArmAreaMm2 && MaxHandAreaMm2 > MinArmAreaMm2, "areas above zero, limits in order");
             Check(HandLengthMm > 0 && ForearmLengthMm > 0 && HandHalfThicknessMm >= 0 && MinHandWidthMm >= 0, "sizes of the hand above zero");
-            Check(MuzzleBeyondPalmMm >= 0 && PalmSigmaMm > 0 && MuzzleSigmaMm > 0, "uncertainties above zero");
+            Check(MuzzleBeyondPalmMm >= 0 && BoreAboveGripMm >= 0 && WeaponKeptMm >= 0 && WeaponKeptUs >= 0 && PalmSigmaMm > 0 && MuzzleSigmaMm > 0 && CutSigmaMm > 0, "uncertainties above zero");
             Check(TrackGateMm > 0 && TrackMemoryUs >= 0 && BridgeUs >= 0, "TrackGateMm above zero, times not negative");
             Check(LostShare > 0 && LostShare <= 1, "LostShare above 0, at most 1");
             Check(MaxHands >= 1 && MaxHands <= 64, "MaxHands 1…64");

@@ -15,6 +15,8 @@ namespace LaserTracking.Hands
         private readonly DepthGrid _grid;
         private readonly BodySegmenter _segmenter;
         private readonly ArmFitter _fitter;
+        private readonly HeadFinder _heads;
+        private readonly PersonSet _people;
         private readonly HandTrackSet _tracks;
         private readonly ArmFit[] _fits;
 
@@ -22,12 +24,27 @@ namespace LaserTracking.Hands
         /// <param name="settings">Null: the defaults. Read once, here.</param>
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
         public DepthHandTracker(PinholeCamera camera, DepthHandSettings? settings = null)
+            : this(camera, UprightFrame.Level, settings)
+        {
+        }
+
+        /// <param name="camera">Its place tells where up is, which finds heads also when the camera looks up or down.</param>
+        /// <param name="settings">Null: the defaults. Read once, here.</param>
+        /// <exception cref="ArgumentException">A setting is outside its range.</exception>
+        public DepthHandTracker(HandCamera camera, DepthHandSettings? settings = null)
+            : this(camera.Intrinsics, UprightFrame.Of(camera), settings)
+        {
+        }
+
+        private DepthHandTracker(PinholeCamera camera, UprightFrame upright, DepthHandSettings? settings)
         {
             DepthHandSettings used = settings ?? new DepthHandSettings();
             used.Validate();
             _grid = new DepthGrid(camera, used);
             _segmenter = new BodySegmenter(used);
-            _fitter = new ArmFitter(used);
+            _fitter = new ArmFitter(used, upright);
+            _heads = new HeadFinder(used, upright);
+            _people = new PersonSet(used, upright);
             _tracks = new HandTrackSet(used);
             _fits = new ArmFit[_segmenter.Arms.Length];
         }
@@ -41,17 +58,46 @@ namespace LaserTracking.Hands
                 return;
             _grid.Fill(depth);
             _segmenter.Segment(_grid);
+            FindPeople(depth.TimeUs);
             int count = 0;
             for (int i = 0; i < _segmenter.ArmCount; i++)
             {
                 ref readonly ArmPart arm = ref _segmenter.Arms[i];
+                if (arm.IsShallow && _people.IsHead(arm.MiddleMm))
+                    continue;
                 if (_fitter.TryFit(_grid, _segmenter.CellsOf(arm), arm, out ArmFit fit))
                     _fits[count++] = fit;
             }
 
             _tracks.Update(_grid, depth.TimeUs, new ReadOnlySpan<ArmFit>(_fits, 0, count), observations);
+            _people.Report(observations);
         }
 
-        public void Reset() => _tracks.Reset();
+        public void Reset()
+        {
+            _tracks.Reset();
+            _people.Reset();
+        }
+
+        /// <summary>First all heads, then each arm's: one that hides its own head in this frame still is its person's.</summary>
+        private void FindPeople(long timeUs)
+        {
+            _people.Begin(timeUs);
+            for (int i = 0; i < _segmenter.ArmCount; i++)
+            {
+                if (_heads.TryFind(_grid, _segmenter.Owner, _segmenter.Arms[i].RootMm, out Vector3D eye))
+                    _people.See(eye, timeUs);
+            }
+
+            for (int i = 0; i < _segmenter.ArmCount; i++)
+            {
+                ref ArmPart arm = ref _segmenter.Arms[i];
+                arm.PersonId = _people.Find(arm.RootMm, out Vector3D eye);
+                if (arm.PersonId == 0)
+                    continue;
+                arm.HasEye = true;
+                arm.EyeMm = eye;
+            }
+        }
     }
 }

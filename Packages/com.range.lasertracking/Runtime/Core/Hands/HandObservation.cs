@@ -8,6 +8,9 @@ namespace LaserTracking.Hands
         /// <summary>Stays with one hand from frame to frame; a new number after it was lost for long.</summary>
         public int TrackId;
 
+        /// <summary>Whose hand it is, or 0 when no head is seen over its arm.</summary>
+        public int PersonId;
+
         public HandSide Side;
         public Vector3D PalmMm;
 

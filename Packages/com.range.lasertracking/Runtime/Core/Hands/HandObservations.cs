@@ -6,9 +6,15 @@ namespace LaserTracking.Hands
     public sealed class HandObservations
     {
         private readonly HandObservation[] _hands;
+        private readonly PersonObservation[] _people;
         private int _count;
+        private int _peopleCount;
 
-        public HandObservations(int capacity = 16) => _hands = new HandObservation[capacity];
+        public HandObservations(int capacity = 16)
+        {
+            _hands = new HandObservation[capacity];
+            _people = new PersonObservation[capacity];
+        }
 
         public int FrameIndex { get; private set; }
 
@@ -17,11 +23,15 @@ namespace LaserTracking.Hands
 
         public ReadOnlySpan<HandObservation> Hands => new ReadOnlySpan<HandObservation>(_hands, 0, _count);
 
+        /// <summary>Everybody whose head is known, with or without a hand in this frame.</summary>
+        public ReadOnlySpan<PersonObservation> People => new ReadOnlySpan<PersonObservation>(_people, 0, _peopleCount);
+
         public void Begin(int frameIndex, long timeUs)
         {
             FrameIndex = frameIndex;
             TimeUs = timeUs;
             _count = 0;
+            _peopleCount = 0;
         }
 
         /// <summary>False when there is no room left.</summary>
@@ -30,6 +40,15 @@ namespace LaserTracking.Hands
             if (_count == _hands.Length)
                 return false;
             _hands[_count++] = hand;
+            return true;
+        }
+
+        /// <summary>False when there is no room left.</summary>
+        public bool Add(in PersonObservation person)
+        {
+            if (_peopleCount == _people.Length)
+                return false;
+            _people[_peopleCount++] = person;
             return true;
         }
     }

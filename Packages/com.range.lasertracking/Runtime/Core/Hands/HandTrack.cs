@@ -25,9 +25,15 @@ namespace LaserTracking.Hands
         /// <summary>From palm to muzzle, as last measured.</summary>
         public Vector3D MuzzleOffsetMm;
 
+        /// <summary>Palm and offset to the muzzle when the weapon itself was last seen; time 0: never.</summary>
+        public Vector3D WeaponPalmMm;
+        public Vector3D WeaponOffsetMm;
+        public long WeaponUs;
+
         public Vector3D Axis;
         public double AxisSigmaRad;
         public Vector3D Sight;
+        public int PersonId;
 
         /// <summary>Right above zero, left below; limited, so that a new body side wins in time.</summary>
         public int SideVotes;

@@ -144,7 +144,20 @@ namespace LaserTracking.Hands
                 track.SideVotes = Math.Max(-MaxVotes, Math.Min(MaxVotes, votes));
             }
 
-            Report(track, fit.PalmSigmaMm, fit.MuzzleSigmaMm, DepthSource.Measured, observations);
+            double muzzleSigma = fit.MuzzleSigmaMm;
+            if (!fit.HasWeapon && fit.MuzzleSigmaMm < _settings.CutSigmaMm && IsWeaponKnown(track, timeUs, out double moved))
+            {
+                track.MuzzleOffsetMm = track.WeaponOffsetMm;
+                muzzleSigma = Math.Sqrt(2 * _settings.PalmSigmaMm * _settings.PalmSigmaMm + 0.1 * moved * moved);
+            }
+
+            Report(track, fit.PalmSigmaMm, muzzleSigma, DepthSource.Measured, observations);
+        }
+
+        private bool IsWeaponKnown(in HandTrack track, long timeUs, out double movedMm)
+        {
+            movedMm = (track.PalmMm - track.WeaponPalmMm).Length;
+            return track.WeaponUs > 0 && timeUs - track.WeaponUs <= _settings.WeaponKeptUs && movedMm <= _settings.WeaponKeptMm;
         }
 
         private static void Remember(ref HandTrack track, in ArmFit fit, long timeUs)
@@ -155,6 +168,15 @@ namespace LaserTracking.Hands
             track.Axis = fit.Axis;
             track.AxisSigmaRad = fit.AxisSigmaRad;
             track.Sight = fit.Sight;
+            if (fit.HasWeapon)
+            {
+                track.WeaponPalmMm = fit.PalmMm;
+                track.WeaponOffsetMm = track.MuzzleOffsetMm;
+                track.WeaponUs = timeUs;
+            }
+
+            if (fit.PersonId != 0)
+                track.PersonId = fit.PersonId;
         }
 
         /// <summary>
@@ -201,6 +223,7 @@ namespace LaserTracking.Hands
             observations.Add(new HandObservation
             {
                 TrackId = track.Id,
+                PersonId = track.PersonId,
                 Side = track.SideVotes >= NeededVotes ? HandSide.Right : track.SideVotes <= -NeededVotes ? HandSide.Left : HandSide.Unknown,
                 PalmMm = track.PalmMm,
                 MuzzleMm = track.PalmMm + track.MuzzleOffsetMm,

@@ -14,6 +14,17 @@ namespace LaserTracking.Hands
             Measure(grid, middleMm, radiusMm, out double inside, out _) && inside >= lostShare
             && Measure(grid, middleMm, 3 * radiusMm, out double around, out _) && around < lostShare;
 
+        /// <summary>Whether a sphere reaches over the picture's border.</summary>
+        public static bool IsNearBorder(DepthGrid grid, Vector3D middleMm, double radiusMm)
+        {
+            int centre = middleMm.Z > 1 ? grid.CellOf(middleMm) : -1;
+            if (centre < 0)
+                return true;
+            int reach = (int)Math.Ceiling(radiusMm / middleMm.Z / Math.Sqrt(grid.UnitArea));
+            int x = centre % grid.Width, y = centre / grid.Width;
+            return x < reach || y < reach || x >= grid.Width - reach || y >= grid.Height - reach;
+        }
+
         /// <summary>
         /// Share of lost cells in the disc that a sphere covers in the picture, and the mean ray (z = 1) of those; false when the
         /// disc lies outside the picture.

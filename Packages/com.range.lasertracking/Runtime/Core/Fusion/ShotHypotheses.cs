@@ -1,0 +1,224 @@
+using System;
+using LaserTracking.Detection;
+using LaserTracking.Geometry;
+using LaserTracking.Hands;
+using LaserTracking.Tracking;
+
+namespace LaserTracking.Fusion
+{
+    /// <summary>
+    /// Who may have fired the shots of one frame: every person in sight, with one of their hands or with a hand that camera 1 does
+    /// not see, and every hand whose person is unknown. One column each; the likelihood of every shot under every column.
+    /// </summary>
+    internal sealed class ShotHypotheses
+    {
+        /// <summary>Learned from only when that likely, that near in time and that well seen.</summary>
+        private const double LearnProbability = 0.6;
+        private const double MaxLearnSigmaM = 0.1;
+        private const long LearnUs = 60_000;
+
+        /// <summary>Of one person's sightings those count that are hardly older than the nearest.</summary>
+        private const long SameTimeUs = 50_000;
+
+        private readonly HandCamera _camera;
+        private readonly FusionSettings _settings;
+        private readonly HandHistory _history;
+        private readonly SightLines _sights;
+        private readonly PairedHand[] _hands;
+        private readonly int[] _keys;
+        private readonly double[] _weights;
+        private readonly FusedShot[] _pairs;
+        private int _handCount;
+
+        public ShotHypotheses(HandCamera camera, FusionSettings settings)
+        {
+            _camera = camera;
+            _settings = settings;
+            _history = new HandHistory(settings.HistoryLength);
+            _sights = new SightLines(settings);
+            _hands = new PairedHand[settings.MaxHands];
+            _keys = new int[settings.MaxHands];
+            _weights = new double[settings.MaxShots * settings.MaxHands];
+            _pairs = new FusedShot[_weights.Length];
+        }
+
+        public HandHistory History => _history;
+
+        public int Columns { get; private set; }
+
+        /// <summary>Row by row, <see cref="FusionSettings.MaxHands"/> wide.</summary>
+        public double[] Weights => _weights;
+
+        public FusedShot[] Pairs => _pairs;
+
+        /// <summary>Above zero: a person; below: minus the track of a hand whose person is unknown.</summary>
+        public ReadOnlySpan<int> Keys => new ReadOnlySpan<int>(_keys, 0, Columns);
+
+        public void Clear()
+        {
+            _history.Clear();
+            _sights.Clear();
+        }
+
+        public void Add(HandObservations hands)
+        {
+            _history.Add(hands);
+            foreach (ref readonly PersonObservation person in hands.People)
+                _sights.See(person, _camera, hands.TimeUs);
+        }
+
+        public static int KeyOf(in HandObservation hand) => hand.PersonId > 0 ? hand.PersonId : -hand.TrackId;
+
+        /// <summary>Where the eyes of a column's person are; false when they are unknown.</summary>
+        public bool TryEyes(int key, out Vector3D eyesM) => _sights.TryEyes(key, out eyesM);
+
+        public void Begin() => Columns = 0;
+
+        /// <summary>Adds the columns that a shot needs; call for all shots of a frame before weighing any.</summary>
+        public void Collect(in Shot shot)
+        {
+            for (int i = 0; i < _sights.Count; i++)
+            {
+                if (Math.Abs(_sights.SeenUsAt(i) - shot.TimeUs) <= _settings.WindowUs)
+                    AddColumn(_sights.PersonAt(i));
+            }
+
+            GatherHands(shot.TimeUs);
+            for (int i = 0; i < _handCount; i++)
+                AddColumn(KeyOf(_hands[i].Hand));
+        }
+
+        public void Weigh(int row, in Shot shot, Vector2D screenM)
+        {
+            GatherHands(shot.TimeUs);
+            int first = row * _settings.MaxHands;
+            double sum = 0;
+            for (int k = 0; k < Columns; k++)
+                sum += _keys[k] > 0 ? 1 : _settings.StrangerShare;
+            for (int k = 0; k < Columns; k++)
+            {
+                double prior = (1 - _settings.NobodyPrior) * (_keys[k] > 0 ? 1 : _settings.StrangerShare) / sum;
+                _weights[first + k] = prior * Likelihood(_keys[k], screenM, out _pairs[first + k]) * _sights.ColorFactor(_keys[k], shot.Dot.Color);
+            }
+        }
+
+        /// <summary>Notes with which probability a shot is a column's.</summary>
+        public void Learn(int row, int column, Vector2D screenM, LaserColor color, double probability)
+        {
+            if (probability < LearnProbability || _keys[column] < 0)
+                return;
+            _sights.CountColor(_keys[column], color, probability);
+            ref readonly FusedShot pair = ref _pairs[row * _settings.MaxHands + column];
+            // A line that passes far from where they aim over says that something else is wrong: the hand, or the person.
+            double surprise = pair.SightErrorRad / (3 * SightSigmaRad(_keys[column], pair));
+            if (pair.HasMuzzle && surprise < 1 && Math.Abs(pair.PairDeltaUs) <= LearnUs && pair.MuzzleSigmaM < MaxLearnSigmaM)
+                _sights.Learn(_keys[column], pair.MuzzleM, pair.MuzzleSigmaM, new Vector3D(screenM.X, screenM.Y, 0) - pair.MuzzleM, probability * (1 - surprise * surprise));
+        }
+
+        private void GatherHands(long timeUs) =>
+            _handCount = _history.At(timeUs, _settings.WindowUs, _settings.MaxInterpolationUs, _hands);
+
+        private void AddColumn(int key)
+        {
+            if (Columns < _keys.Length && Array.IndexOf(_keys, key, 0, Columns) < 0)
+                _keys[Columns++] = key;
+        }
+
+        /// <summary>Density of this dot, per m² of the screen, if it is this column's; the pair is that of their likeliest hand.</summary>
+        private double Likelihood(int key, Vector2D screenM, out FusedShot best)
+        {
+            best = default;
+            long nearest = long.MaxValue;
+            for (int i = 0; i < _handCount; i++)
+            {
+                if (Share(_hands[i].Hand, key) > 0)
+                    nearest = Math.Min(nearest, Math.Abs(_hands[i].DeltaUs));
+            }
+
+            double sum = 0, highest = 0, shares = 0;
+            for (int i = 0; i < _handCount; i++)
+            {
+                double share = Share(_hands[i].Hand, key);
+                if (!(share > 0) || Math.Abs(_hands[i].DeltaUs) > nearest + SameTimeUs)
+                    continue;
+                shares += share;
+                PairedHand hand = Sighted(_hands[i], key);
+                if (!ShotHandPairing.TryPair(hand, screenM, _camera, _settings, out FusedShot pair))
+                    continue;
+                double density = share * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings);
+                sum += density;
+                if (density <= highest)
+                    continue;
+                highest = density;
+                best = pair;
+            }
+
+            double seen = shares > 0 ? sum / Math.Max(1, shares) : 0;
+            if (key < 0)
+                return seen;
+            double hidden = HiddenShare(key, screenM);
+            double unseen = hidden / _settings.ScreenAreaM2;
+            if (unseen > (1 - hidden) * highest)
+                best = default;
+            return (1 - hidden) * seen + unseen;
+        }
+
+        /// <summary>How much a hand counts as this column's: its own one fully, a neighbour's at an arm's length from these eyes less.</summary>
+        private double Share(in HandObservation hand, int key)
+        {
+            int own = KeyOf(hand);
+            if (key < 0)
+                return own == key ? 1 : 0;
+            Vector3D muzzle = _camera.ToScreenM(hand.MuzzleMm);
+            if (!_sights.TryEyes(key, out Vector3D eyes) || !_sights.TryPivot(key, muzzle - eyes, out Vector3D pivot, out _, out double reach))
+                return own == key ? 1 : 0;
+            double off = ((muzzle - pivot).Length - reach) / _settings.ReachSigmaM;
+            double share = Math.Exp(-0.5 * off * off);
+            return own == key ? Math.Max(0.1, share) : share < 0.02 ? 0 : _settings.NeighbourShare * share;
+        }
+
+        /// <summary>
+        /// Probability that camera 1 does not see the hand that fires at this point: it would be before the eyes towards that point,
+        /// which is in the picture or not.
+        /// </summary>
+        private double HiddenShare(int personId, Vector2D screenM)
+        {
+            if (!_sights.TryEyes(personId, out Vector3D eyes))
+                return _settings.HiddenShare;
+            Vector3D towards = (new Vector3D(screenM.X, screenM.Y, 0) - eyes).Normalized;
+            if (!_sights.TryPivot(personId, towards, out Vector3D pivot, out _, out double reach))
+                return _settings.HiddenShare;
+            Vector3D hand = _camera.ToCameraMm(pivot + towards * reach);
+            PinholeCamera view = _camera.Intrinsics;
+            if (!view.TryProject(hand, out Vector2D px))
+                return _settings.OutOfViewShare;
+            double marginX = _settings.ViewMargin * view.Width, marginY = _settings.ViewMargin * view.Height;
+            bool isInView = px.X > marginX && px.X < view.Width - marginX && px.Y > marginY && px.Y < view.Height - marginY;
+            return isInView ? _settings.HiddenShare : _settings.OutOfViewShare;
+        }
+
+        private double SightSigmaRad(int key, in FusedShot pair)
+        {
+            if (!_sights.TryEyes(key, out Vector3D eyes) || !_sights.TryPivot(key, pair.MuzzleM - eyes, out Vector3D pivot, out double sigma, out _))
+                return 1;
+            double reach = Math.Max(0.1, (pair.MuzzleM - pivot).Length), spread = _settings.SightSpreadRad * reach;
+            return Math.Sqrt(sigma * sigma + pair.MuzzleSigmaM * pair.MuzzleSigmaM + spread * spread) / reach;
+        }
+
+        /// <summary>The hand with its sight line from where this person is known to aim over.</summary>
+        private PairedHand Sighted(in PairedHand seen, int key)
+        {
+            PairedHand hand = seen;
+            if (key < 0 || !_sights.TryEyes(key, out Vector3D eyes))
+                return hand;
+            Vector3D muzzle = _camera.ToScreenM(hand.Hand.MuzzleMm);
+            if (!_sights.TryPivot(key, muzzle - eyes, out Vector3D pivot, out double sigma, out _))
+                return hand;
+            Vector3D sight = muzzle - pivot;
+            double reach = Math.Max(0.1, sight.Length), muzzleSigma = hand.Hand.MuzzleSigmaMm * Axes.MetresPerMillimetre;
+            hand.Hand.SightDirection = _camera.PoseInScreenMm.InverseTransformDirection(sight).Normalized;
+            hand.Hand.SightSigmaRad = Math.Sqrt(sigma * sigma + muzzleSigma * muzzleSigma) / reach;
+            return hand;
+        }
+    }
+}

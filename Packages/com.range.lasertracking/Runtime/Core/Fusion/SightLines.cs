@@ -1,0 +1,162 @@
+using System;
+using LaserTracking.Detection;
+using LaserTracking.Geometry;
+using LaserTracking.Hands;
+
+namespace LaserTracking.Fusion
+{
+    /// <summary>
+    /// The point over which each person aims. All lines of fire of somebody who stands pass near it, so it starts at the eyes as
+    /// seen and is refined by every shot that surely is theirs: least squares over the lines, in information form (a line fixes a
+    /// point across itself only). Absorbs what is constant: how the head is seen, how the weapon is held, its boresight.
+    /// Bounded, without allocation, deterministic.
+    /// </summary>
+    internal sealed class SightLines
+    {
+        private struct Entry
+        {
+            public int PersonId;
+            public long SeenUs;
+            public Vector3D EyeM;
+
+            /// <summary>Where the eyes were when shots were learned from; the farther off now, the less those count.</summary>
+            public Vector3D LearnedAtM;
+            public double SigmaM;
+            public double ReachM;
+
+            /// <summary>Sums over shots of (I − u uᵀ)/σ² as xx, yy, zz, xy, xz, yz, and of that times the muzzle.</summary>
+            public Vector3D Diagonal;
+            public Vector3D Mixed;
+            public Vector3D Weighted;
+
+            /// <summary>Shots of each colour.</summary>
+            public ColorTally Colors;
+        }
+
+        private const int Capacity = 32;
+
+        /// <summary>Weight of older shots at each new one: posture changes over some twenty.</summary>
+        private const double Keep = 0.95;
+
+        /// <summary>Who moved that far has half forgotten how they stood.</summary>
+        private const double MovedM = 0.2;
+
+        private readonly FusionSettings _settings;
+        private readonly Entry[] _entries = new Entry[Capacity];
+        private int _count;
+
+        public SightLines(FusionSettings settings) => _settings = settings;
+
+        public int Count => _count;
+
+        public void Clear() => _count = 0;
+
+        public int PersonAt(int index) => _entries[index].PersonId;
+
+        public long SeenUsAt(int index) => _entries[index].SeenUs;
+
+        /// <summary>Notes where somebody's eyes are; who was seen longest ago gives way.</summary>
+        public void See(in PersonObservation person, HandCamera camera, long timeUs)
+        {
+            int at = IndexOf(person.PersonId);
+            if (at < 0)
+            {
+                at = _count < Capacity ? _count++ : Oldest();
+                _entries[at] = new Entry { PersonId = person.PersonId, ReachM = _settings.ReachM };
+            }
+
+            _entries[at].SeenUs = timeUs;
+            _entries[at].EyeM = camera.ToScreenM(person.EyeMm);
+            _entries[at].SigmaM = person.SigmaMm * Axes.MetresPerMillimetre;
+        }
+
+        public bool TryEyes(int personId, out Vector3D eyesM)
+        {
+            int at = IndexOf(personId);
+            eyesM = at < 0 ? default : _entries[at].EyeM;
+            return at >= 0;
+        }
+
+        /// <summary>Where the person's sight line starts, and its standard deviation across a direction; false for an unknown person.</summary>
+        public bool TryPivot(int personId, Vector3D towards, out Vector3D pivotM, out double sigmaM, out double reachM)
+        {
+            pivotM = default;
+            sigmaM = reachM = 0;
+            int at = IndexOf(personId);
+            if (at < 0)
+                return false;
+            ref readonly Entry e = ref _entries[at];
+            double prior = 1 / (e.SigmaM * e.SigmaM), share = StillShare(e);
+            Vector3D a = e.Diagonal * share + new Vector3D(prior, prior, prior);
+            // Inverse of a symmetric 3×3: its adjugate over its determinant.
+            double xy = e.Mixed.X * share, xz = e.Mixed.Y * share, yz = e.Mixed.Z * share;
+            double cxx = a.Y * a.Z - yz * yz, cyy = a.X * a.Z - xz * xz, czz = a.X * a.Y - xy * xy;
+            double cxy = xz * yz - xy * a.Z, cxz = xy * yz - xz * a.Y, cyz = xy * xz - yz * a.X;
+            double determinant = a.X * cxx + xy * cxy + xz * cxz;
+            Vector3D w = e.Weighted * share + e.EyeM * prior, u = towards.Normalized;
+            var sum = new Vector3D(cxx * w.X + cxy * w.Y + cxz * w.Z, cxy * w.X + cyy * w.Y + cyz * w.Z, cxz * w.X + cyz * w.Y + czz * w.Z);
+            pivotM = sum * (1 / determinant);
+            double along = cxx * u.X * u.X + cyy * u.Y * u.Y + czz * u.Z * u.Z + 2 * (cxy * u.X * u.Y + cxz * u.X * u.Z + cyz * u.Y * u.Z);
+            sigmaM = Math.Sqrt(Math.Max(0, (cxx + cyy + czz - along) / (2 * determinant)));
+            reachM = e.ReachM;
+            return true;
+        }
+
+        /// <summary>A shot that with this probability is this person's; counts that much.</summary>
+        public void Learn(int personId, Vector3D muzzleM, double muzzleSigmaM, Vector3D directionM, double probability)
+        {
+            int at = IndexOf(personId);
+            if (at < 0)
+                return;
+            ref Entry e = ref _entries[at];
+            Vector3D d = muzzleM - e.EyeM, u = directionM.Normalized;
+            double spread = _settings.SightSpreadRad * d.Length, weight = probability / (muzzleSigmaM * muzzleSigmaM + spread * spread);
+            Vector3D across = muzzleM - u * Vector3D.Dot(muzzleM, u);
+            double keep = (1 - (1 - Keep) * probability) * (1 - (1 - StillShare(e)) * probability);
+            e.LearnedAtM = e.Diagonal.LengthSquared > 0 ? e.LearnedAtM + (e.EyeM - e.LearnedAtM) * (0.3 * probability) : e.EyeM;
+            e.Diagonal = e.Diagonal * keep + new Vector3D(1 - u.X * u.X, 1 - u.Y * u.Y, 1 - u.Z * u.Z) * weight;
+            e.Mixed = e.Mixed * keep - new Vector3D(u.X * u.Y, u.X * u.Z, u.Y * u.Z) * weight;
+            e.Weighted = e.Weighted * keep + across * weight;
+            e.ReachM += 0.2 * probability * (d.Length - e.ReachM);
+        }
+
+        /// <summary>Notes a shot's colour, as a part of a shot.</summary>
+        public void CountColor(int personId, LaserColor color, double probability)
+        {
+            int at = IndexOf(personId);
+            if (at >= 0)
+                _entries[at].Colors.Count(color, probability);
+        }
+
+        public double ColorFactor(int personId, LaserColor color)
+        {
+            int at = IndexOf(personId);
+            return at < 0 ? 1 : _entries[at].Colors.Factor(color, _settings.ColorKeptProbability);
+        }
+
+        private static double StillShare(in Entry e) => 1 / (1 + (e.EyeM - e.LearnedAtM).LengthSquared / (MovedM * MovedM));
+
+        private int IndexOf(int personId)
+        {
+            for (int i = 0; i < _count; i++)
+            {
+                if (_entries[i].PersonId == personId)
+                    return i;
+            }
+
+            return -1;
+        }
+
+        private int Oldest()
+        {
+            int oldest = 0;
+            for (int i = 1; i < _count; i++)
+            {
+                if (_entries[i].SeenUs < _entries[oldest].SeenUs)
+                    oldest = i;
+            }
+
+            return oldest;
+        }
+    }
+}

@@ -1,0 +1,132 @@
+using System;
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Hands
+{
+    /// <summary>
+    /// Looks for the head over an arm's shoulder: the topmost surface in a box above it that belongs to no arm, of a head's width.
+    /// Bounded work: only the cells in whose picture that box lies.
+    /// </summary>
+    internal sealed class HeadFinder
+    {
+        /// <summary>The box, from the arm's root: heads are at most so far beside, behind and above a shoulder.</summary>
+        private const double AsideMm = 330;
+        private const double BeforeMm = 150;
+        private const double BehindMm = 550;
+        private const double BelowMm = 60;
+        private const double AboveMm = 480;
+
+        private const double BinMm = 20;
+        private const int Bins = (int)((BelowMm + AboveMm) / BinMm);
+
+        /// <summary>Visible surface above the height that counts as the crown: no stray cell.</summary>
+        private const double CrownAreaMm2 = 1500;
+
+        /// <summary>A crown is at least so high above where an arm begins; else it is the shoulder itself.</summary>
+        private const double MinAboveRootMm = 120;
+
+        /// <summary>A camera below the heads does not see their crowns, and the edge of what it sees is lost. Measured.</summary>
+        private const double HiddenCrownMm = 60;
+
+        private const double HeadHeightMm = 200;
+        private const double HeadRadiusMm = 130;
+
+        /// <summary>From the front of the head as seen to between the eyes' sockets and the middle.</summary>
+        private const double EyeDepthMm = 20;
+
+        private readonly DepthHandSettings _settings;
+        private readonly UprightFrame _upright;
+        private readonly double[] _area = new double[Bins];
+        private Vector3D[] _points = new Vector3D[1024];
+        private double[] _areas = new double[1024];
+        private int _count;
+
+        public HeadFinder(DepthHandSettings settings, UprightFrame upright)
+        {
+            _settings = settings;
+            _upright = upright;
+        }
+
+        /// <summary>The eyes in upright space, mm; false when no head is seen over this arm.</summary>
+        /// <param name="grid">Depth.</param>
+        /// <param name="owner">Not zero in the cells of arms.</param>
+        /// <param name="rootMm">The arm's rear end, camera space.</param>
+        /// <param name="eyeMm">Between the eyes.</param>
+        public bool TryFind(DepthGrid grid, byte[] owner, Vector3D rootMm, out Vector3D eyeMm)
+        {
+            eyeMm = default;
+            Vector3D root = _upright.ToUpright(rootMm);
+            Gather(grid, owner, root);
+            double gathered = 0;
+            int bin = Bins - 1;
+            while (bin > 0 && (gathered += _area[bin]) < CrownAreaMm2)
+                bin--;
+            double crown = root.Y - BelowMm + (bin + 1) * BinMm;
+            if (crown - root.Y < MinAboveRootMm || bin == Bins - 1)
+                return false;
+            Vector3D middle = default;
+            double near = 0, radius = double.MaxValue, low = crown - 2 * BinMm;
+            for (int step = 0; step < 4; step++)
+            {
+                if (!TryMean(low, crown + BinMm, middle.X, radius, out middle, out near))
+                    return false;
+                radius = HeadRadiusMm;
+                low = crown - HeadHeightMm;
+            }
+
+            eyeMm = new Vector3D(middle.X, crown + HiddenCrownMm - _settings.EyeBelowCrownMm, near + EyeDepthMm);
+            return true;
+        }
+
+        private void Gather(DepthGrid grid, byte[] owner, Vector3D root)
+        {
+            Array.Clear(_area, 0, Bins);
+            _count = 0;
+            Vector3D centre = _upright.ToCamera(root + new Vector3D(0, (AboveMm - BelowMm) / 2, (BehindMm - BeforeMm) / 2));
+            if (centre.Z < 100)
+                return;
+            double cellRad = Math.Sqrt(grid.UnitArea), half = Math.Max(AsideMm, (AboveMm + BelowMm + BehindMm) / 2) / centre.Z;
+            int reach = (int)(half / cellRad) + 1;
+            int cx = (int)((centre.X / centre.Z - grid.RayX[0]) / cellRad), cy = (int)((centre.Y / centre.Z - grid.RayY[0]) / cellRad);
+            int left = Math.Max(0, cx - reach), right = Math.Min(grid.Width - 1, cx + reach);
+            for (int row = Math.Max(0, cy - reach); row <= Math.Min(grid.Height - 1, cy + reach); row++)
+            {
+                for (int column = left; column <= right; column++)
+                {
+                    int cell = row * grid.Width + column;
+                    if (grid.Z[cell] == 0 || owner[cell] != 0)
+                        continue;
+                    Vector3D d = _upright.ToUpright(grid.Point(cell)) - root;
+                    if (Math.Abs(d.X) > AsideMm || d.Y < -BelowMm || d.Y >= AboveMm || d.Z < -BeforeMm || d.Z > BehindMm)
+                        continue;
+                    if (_count == _points.Length)
+                        return;
+                    double area = grid.Area(cell);
+                    _points[_count] = d + root;
+                    _areas[_count++] = area;
+                    _area[(int)((d.Y + BelowMm) / BinMm)] += area;
+                }
+            }
+        }
+
+        private bool TryMean(double low, double high, double x, double radius, out Vector3D mean, out double near)
+        {
+            Vector3D sum = default;
+            double area = 0, zz = 0;
+            for (int i = 0; i < _count; i++)
+            {
+                Vector3D p = _points[i];
+                if (p.Y < low || p.Y > high || Math.Abs(p.X - x) > radius)
+                    continue;
+                sum += p * _areas[i];
+                zz += p.Z * p.Z * _areas[i];
+                area += _areas[i];
+            }
+
+            mean = area > 0 ? sum * (1 / area) : default;
+            // Front of the head: noise-proof, unlike the nearest cell.
+            near = area > 0 ? mean.Z - Math.Sqrt(Math.Max(0, zz / area - mean.Z * mean.Z)) : 0;
+            return area > 0;
+        }
+    }
+}

@@ -1,0 +1,180 @@
+using System;
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Hands
+{
+    /// <summary>Who stands where: heads averaged over many frames. Upright space inside (x along the screen, y up, z away from it), mm.</summary>
+    internal sealed class PersonSet
+    {
+        private struct Person
+        {
+            public int Id;
+            public Vector3D EyeMm;
+            public int Sightings;
+            public long SeenUs;
+        }
+
+        /// <summary>Two heads are farther apart; neighbours' middles are at least 400 mm apart.</summary>
+        private const double SamePersonMm = 230;
+
+        private const double HeadRadiusMm = 150;
+
+        /// <summary>A shoulder is at most so far from its head, seen from above.</summary>
+        private const double ShoulderMm = 420;
+
+        /// <summary>Further off in height it is not the same head.</summary>
+        private const double HeadStepMm = 70;
+
+        /// <summary>What is so much nearer to the screen is an arm before the head.</summary>
+        private const double NearerStepMm = 150;
+
+        /// <summary>How fast a head that is seen only lower comes down, a sighting.</summary>
+        private const double SinkShare = 0.005;
+
+        /// <summary>Fewer sightings may be a chair or a raised hand.</summary>
+        private const int NeededSightings = 5;
+
+        private const long MemoryUs = 20_000_000;
+        private const int MaxWeight = 30;
+
+        private readonly DepthHandSettings _settings;
+        private readonly UprightFrame _upright;
+        private readonly Person[] _people;
+        private int _count;
+        private int _nextId = 1;
+
+        public PersonSet(DepthHandSettings settings, UprightFrame upright)
+        {
+            _settings = settings;
+            _upright = upright;
+            _people = new Person[settings.MaxHands];
+        }
+
+        public void Reset()
+        {
+            _count = 0;
+            _nextId = 1;
+        }
+
+        /// <summary>Forgets who left.</summary>
+        public void Begin(long timeUs)
+        {
+            int kept = 0;
+            for (int i = 0; i < _count; i++)
+            {
+                long age = timeUs - _people[i].SeenUs;
+                // Also when time runs backwards, after a seek.
+                if (age >= 0 && age <= MemoryUs && (age < MemoryUs / 20 || _people[i].Sightings >= NeededSightings))
+                    _people[kept++] = _people[i];
+            }
+
+            _count = kept;
+            Merge();
+        }
+
+        /// <summary>Two that have come to stand at one place were one; the one known longer stays.</summary>
+        private void Merge()
+        {
+            for (int i = 0; i < _count; i++)
+            {
+                for (int k = _count - 1; k > i; k--)
+                {
+                    if (Beside(_people[i].EyeMm, _people[k].EyeMm) >= SamePersonMm)
+                        continue;
+                    int stays = _people[k].Sightings > 2 * _people[i].Sightings ? k : i;
+                    _people[i] = _people[stays];
+                    for (int m = k + 1; m < _count; m++)
+                        _people[m - 1] = _people[m];
+                    _count--;
+                }
+            }
+        }
+
+        /// <summary>Notes a head; upright space. Of what stands at one place the highest is the head: a shoulder may hide it, or an arm.</summary>
+        public void See(Vector3D eyeMm, long timeUs)
+        {
+            int best = -1;
+            double bestDistance = SamePersonMm;
+            for (int i = 0; i < _count; i++)
+            {
+                double distance = Beside(_people[i].EyeMm, eyeMm);
+                if (distance >= bestDistance)
+                    continue;
+                best = i;
+                bestDistance = distance;
+            }
+
+            if (best < 0)
+            {
+                if (_count < _people.Length)
+                    _people[_count++] = new Person { EyeMm = eyeMm, Sightings = 1, SeenUs = timeUs };
+                return;
+            }
+
+            ref Person person = ref _people[best];
+            person.SeenUs = timeUs;
+            double higher = eyeMm.Y - person.EyeMm.Y, nearer = person.EyeMm.Z - eyeMm.Z;
+            if (higher < -HeadStepMm || nearer > NearerStepMm)
+            {
+                // Not for ever: people crouch and come nearer.
+                person.EyeMm += (eyeMm - person.EyeMm) * SinkShare;
+                return;
+            }
+
+            if (higher > HeadStepMm || nearer < -NearerStepMm)
+                person.Sightings = Math.Min(person.Sightings, NeededSightings);
+            person.Sightings++;
+            person.EyeMm += (eyeMm - person.EyeMm) * (1.0 / Math.Min(MaxWeight, person.Sightings));
+            if (person.Id == 0 && person.Sightings >= NeededSightings)
+                person.Id = _nextId++;
+        }
+
+        /// <summary>Distance seen from above; that from the screen counts a third: nobody fires from right behind another.</summary>
+        private static double Beside(Vector3D a, Vector3D b)
+        {
+            double x = a.X - b.X, z = 0.35 * (a.Z - b.Z);
+            return Math.Sqrt(x * x + z * z);
+        }
+
+        /// <summary>Whose arm begins here, or 0; camera space. Gives their eyes too.</summary>
+        public int Find(Vector3D rootMm, out Vector3D eyeMm)
+        {
+            Vector3D root = _upright.ToUpright(rootMm);
+            int best = -1;
+            double bestDistance = ShoulderMm;
+            for (int i = 0; i < _count; i++)
+            {
+                double distance = Beside(_people[i].EyeMm, root);
+                if (_people[i].Id == 0 || distance >= bestDistance)
+                    continue;
+                best = i;
+                bestDistance = distance;
+            }
+
+            eyeMm = best < 0 ? default : _upright.ToCamera(_people[best].EyeMm);
+            return best < 0 ? 0 : _people[best].Id;
+        }
+
+        /// <summary>Whether a surface with this middle is somebody's head.</summary>
+        public bool IsHead(Vector3D middleMm)
+        {
+            Vector3D middle = _upright.ToUpright(middleMm);
+            for (int i = 0; i < _count; i++)
+            {
+                if (_people[i].Id != 0 && (_people[i].EyeMm - middle).Length < HeadRadiusMm)
+                    return true;
+            }
+
+            return false;
+        }
+
+        public void Report(HandObservations observations)
+        {
+            for (int i = 0; i < _count; i++)
+            {
+                if (_people[i].Id != 0)
+                    observations.Add(new PersonObservation { PersonId = _people[i].Id, EyeMm = _upright.ToCamera(_people[i].EyeMm), SigmaMm = _settings.EyeSigmaMm });
+            }
+        }
+    }
+}
