@@ -12,7 +12,7 @@ namespace LaserTracking.Simulation
         public void DemoScenario_ShippedFileAndScene_GiveASessionWorthShowing()
         {
             string root = TestFiles.Repository;
-            SimulationScenario scenario = SimulationScenarioFile.Read(Path.Combine(root, "Packages", "com.range.lasertracking", "Samples~", "Demo", "demo.scenario.json"));
+            SimulationScenario scenario = SimulationScenarioFile.Read(Path.Combine(root, "Assets", "Sources", "demo.scenario.json"));
             SceneModel scene = UnitySceneReader.Read(Path.Combine(root, "Assets", "Scenes", "Range.unity"));
             var range = new SimulatedRange(scenario, scene);
             var shooters = new HashSet<int>();

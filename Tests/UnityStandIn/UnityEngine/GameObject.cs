@@ -41,6 +41,8 @@ namespace UnityEngine
         public bool activeInHierarchy =>
             !IsDestroyed && activeSelf && (transform.parent == null || transform.parent.gameObject.activeInHierarchy);
 
+        public SceneManagement.Scene scene => default;
+
         internal IReadOnlyList<Component> Components => _components;
 
         /// <summary>With the collider that Unity gives it. Planes and cylinders are not modelled.</summary>

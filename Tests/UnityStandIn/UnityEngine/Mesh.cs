@@ -16,6 +16,8 @@ namespace UnityEngine
 
         public Vector3[] vertices { get; set; } = Array.Empty<Vector3>();
 
+        public int vertexCount => vertices.Length;
+
         public int[] triangles { get; set; } = Array.Empty<int>();
     }
 }

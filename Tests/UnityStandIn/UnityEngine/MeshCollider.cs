@@ -8,6 +8,9 @@ namespace UnityEngine
     {
         public Mesh sharedMesh { get; set; }
 
+        /// <summary>Convex ones are not modelled; the flag is there to be asked for.</summary>
+        public bool convex { get; set; }
+
         internal override bool Meets(Vector3 origin, Vector3 direction, out double distance, out Vector3 normal)
         {
             distance = double.PositiveInfinity;

@@ -34,6 +34,10 @@ namespace UnityStandIn
 
         public static void Remove(GameObject destroyed) => GameObjects.Remove(destroyed);
 
+        public static string SceneName { get; set; } = "";
+
+        public static GameObject[] Roots() => GameObjects.Where(existing => existing.transform.parent == null).ToArray();
+
         /// <summary>A copy: whoever walks over it may create and destroy.</summary>
         public static List<T> All<T>() where T : Component => Components.OfType<T>().ToList();
 

@@ -10,16 +10,16 @@ namespace LaserTracking.Unity
 
         public double Latency { get; set; }
 
-        public long HandClockOffsetUs { get; set; }
+        public long OffsetUs { get; set; }
 
         public long? SceneZeroUs { get; set; }
 
         public override double LatencyS => Latency;
 
-        public override long ClockOffsetUs => HandClockOffsetUs;
+        public override long ClockOffsetUs => OffsetUs;
 
         public override long? SceneTimeZeroUs => SceneZeroUs;
 
-        public override IFrameSource CreateSource() => Create();
+        public override IFrameSource CreateSource(LaserRange range) => Create();
     }
 }

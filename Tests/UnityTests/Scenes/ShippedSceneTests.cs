@@ -31,15 +31,13 @@ namespace LaserTracking.Unity
         private static readonly string Scene = Path.Combine(TestFiles.Repository, "Assets", "Scenes", "Range.unity");
 
         [Test]
-        public void Scene_Played_RunsWithoutErrors()
+        public void Scene_Loaded_HasTargetsOfEveryKind()
         {
             SceneLoader.Load(Scene);
-            for (int i = 0; i < 300; i++)
-                PlayerLoop.Step(1 / 60.0);
-            Assert.That(ConsoleLog.Entries.Where(entry => entry.Type != LogType.Warning), Is.Empty);
             Assert.That(Targets().Where(target => target.Definition == null), Is.Empty);
             Assert.That(Targets(), Has.Count.GreaterThanOrEqualTo(8));
             Assert.That(Targets().Select(target => target.Definition!.Kind).Distinct().Count(), Is.EqualTo(4), "kinds of target");
+            Assert.That(ConsoleLog.Entries, Is.Empty);
         }
 
         [Test]
@@ -132,7 +130,7 @@ namespace LaserTracking.Unity
                 isDepthOpened = true;
                 return range.CreateDepthSource();
             };
-            depth.HandClockOffsetUs = range.Truth.ColorClockUs(0) - range.Truth.DepthClockUs(0);
+            depth.OffsetUs = range.Truth.ColorClockUs(0) - range.Truth.DepthClockUs(0);
             SerializedFields.Set(World<LaserRange>(), "_source", color);
             SerializedFields.Set(World<LaserRange>(), "_handSource", depth);
             SerializedFields.Set(World<ScreenSurface>(), "_calibration", new TextAsset(RangeCalibrationFile.Format(range.Calibration)));

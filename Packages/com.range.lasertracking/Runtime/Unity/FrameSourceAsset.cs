@@ -1,9 +1,13 @@
 using LaserTracking.Capture;
+using LaserTracking.Geometry;
 using UnityEngine;
 
 namespace LaserTracking.Unity
 {
-    /// <summary>Where a <see cref="LaserRange"/> gets its frames from: drag another asset in to change from camera to recording.</summary>
+    /// <summary>
+    /// Where a <see cref="LaserRange"/> gets its frames from: drag another asset in to change from camera to recording. One asset
+    /// is one device: it may carry camera 1 and its own calibration besides. All else is read after <see cref="CreateSource"/>.
+    /// </summary>
     public abstract class FrameSourceAsset : ScriptableObject
     {
         /// <summary>
@@ -12,17 +16,28 @@ namespace LaserTracking.Unity
         /// </summary>
         public virtual double LatencyS => 0;
 
-        /// <summary>Microseconds to add to this source's times to bring them on camera 0's clock. Read after <see cref="CreateSource"/>.</summary>
+        /// <summary>Microseconds to add to this source's times to bring them on camera 0's clock, where it is camera 1.</summary>
         public virtual long ClockOffsetUs => 0;
+
+        /// <summary>The same for the times of <see cref="CreateHandSource"/>.</summary>
+        public virtual long HandClockOffsetUs => 0;
 
         /// <summary>
         /// Time of this source, microseconds, at which the scene's clock stands at zero, where it knows better (a simulation); null:
-        /// the time of its first frame. Read after <see cref="CreateSource"/>.
+        /// the time of its first frame.
         /// </summary>
         public virtual long? SceneTimeZeroUs => null;
 
+        /// <summary>What the source knows of its cameras itself; used when the <see cref="ScreenSurface"/> has no calibration.</summary>
+        public virtual RangeCalibration? Calibration => null;
+
         /// <summary>Opens the source. The caller owns and disposes it.</summary>
+        /// <param name="range">Plays it; a simulation renders the scene that this range stands in.</param>
         /// <exception cref="InputException">It cannot be opened; the message says what to do.</exception>
-        public abstract IFrameSource CreateSource();
+        public abstract IFrameSource CreateSource(LaserRange range);
+
+        /// <summary>Camera 1 of the same device, or null: it has none. Owned by the caller too.</summary>
+        /// <exception cref="InputException">It cannot be opened; the message says what to do.</exception>
+        public virtual IFrameSource? CreateHandSource() => null;
     }
 }

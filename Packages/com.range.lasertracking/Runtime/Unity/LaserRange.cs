@@ -40,7 +40,7 @@ namespace LaserTracking.Unity
         private FrameSourceAsset? _source;
 
         [SerializeField]
-        [Tooltip("Where the depth frames of camera 1, the one that sees the trainees, come from. Without it nobody knows who fired.")]
+        [Tooltip("Where the depth frames of camera 1, the one that sees the trainees, come from, unless the source above has them too. Without them nobody knows who fired.")]
         private FrameSourceAsset? _handSource;
 
         [SerializeField]
@@ -57,6 +57,12 @@ namespace LaserTracking.Unity
 
         /// <summary>True while the source still has frames.</summary>
         public bool IsRunning => _pump != null && !_pump.IsAtEnd;
+
+        internal ScreenSurface? Screen => _screen;
+
+        internal Transform? Viewpoint => _viewpoint;
+
+        internal int HitLayers => _hitLayers;
 
         private void OnEnable() => _isOpen = false;
 
@@ -95,15 +101,16 @@ namespace LaserTracking.Unity
             IFrameSource? source = null, handSource = null;
             try
             {
-                RangeCalibration? calibration = ReadCalibration();
-                source = _source.CreateSource();
-                if (_handSource != null && calibration?.HandCamera != null)
-                    handSource = _handSource.CreateSource();
+                source = _source.CreateSource(this);
+                RangeCalibration? calibration = ReadCalibration(_source);
+                if (calibration?.HandCamera != null)
+                    handSource = _handSource == null ? _source.CreateHandSource() : _handSource.CreateSource(this);
+                long handClockOffsetUs = handSource == null ? 0 : _handSource == null ? _source.HandClockOffsetUs : _handSource.ClockOffsetUs;
                 _shots = new ShotQueue(this);
                 var settings = new PipelineSettings { SceneTimeZeroUs = _source.SceneTimeZeroUs };
                 RangePipeline pipeline = BuildPipeline(calibration, handSource == null ? null : calibration!.HandCamera, _shots, settings);
                 pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
-                _pump = new FramePump(pipeline, source, handSource, handSource == null ? 0 : _handSource!.ClockOffsetUs, _source.SceneTimeZeroUs, _source.LatencyS);
+                _pump = new FramePump(pipeline, source, handSource, handClockOffsetUs, _source.SceneTimeZeroUs, _source.LatencyS);
             }
             catch (InputException problem)
             {
@@ -135,18 +142,18 @@ namespace LaserTracking.Unity
             return new ShotScorer(_raycaster, _screen.Pose, _screen.SizeM, _viewpoint.position.ToCore());
         }
 
-        private RangeCalibration? ReadCalibration()
+        private RangeCalibration? ReadCalibration(FrameSourceAsset source)
         {
             if (_screen == null)
                 return null;
             string? text = _screen.CalibrationText;
-            if (text == null)
+            RangeCalibration? calibration = text == null ? source.Calibration : RangeCalibrationFile.Parse(text, "calibration of " + _screen.name);
+            if (calibration == null)
             {
                 Debug.LogWarning("LaserRange " + name + ": the screen has no calibration, so shots have no place on it and cannot hit anything; drag the calibration of camera 0 into the ScreenSurface", this);
                 return null;
             }
 
-            RangeCalibration calibration = RangeCalibrationFile.Parse(text, "calibration of " + _screen.name);
             Vector2D off = calibration.Screen.ScreenSizeM - _screen.SizeM;
             if (off.Length > SizeToleranceM)
                 Debug.LogWarning("LaserRange " + name + ": the calibrated picture is " + calibration.Screen.ScreenSizeM + " m, the ScreenSurface " + _screen.SizeM + " m, so shots land beside what was aimed at; set one to the other", this);

@@ -41,6 +41,9 @@ namespace LaserTracking.Unity
         /// <summary>Seconds to add to Unity's time for the scene's clock, which is camera 0's. Set by the range in every frame.</summary>
         public double ClockOffsetS { get; set; }
 
+        /// <summary>Displacement from rest in the parent's axes; kind None: moved by something else, or nowhere.</summary>
+        internal MotionPath Path => _path;
+
         /// <summary>World pose at a time on the scene's clock, seconds.</summary>
         public Pose PoseAt(double sceneTimeS)
         {
@@ -57,8 +60,7 @@ namespace LaserTracking.Unity
         /// <summary>Puts the target where it was, for a ray cast into the past; <see cref="Restore"/> must follow.</summary>
         internal void Rewind(double sceneTimeS)
         {
-            _shownPosition = transform.localPosition;
-            _shownRotation = transform.localRotation;
+            Remember();
             if (_path.Kind != MotionKind.None)
             {
                 transform.localPosition = LocalPositionAt(sceneTimeS);
@@ -69,11 +71,25 @@ namespace LaserTracking.Unity
             }
         }
 
+        /// <summary>Puts the target where its path has no displacement; <see cref="Restore"/> must follow.</summary>
+        internal void Rest()
+        {
+            Remember();
+            if (_path.Kind != MotionKind.None)
+                transform.localPosition = _rest;
+        }
+
         /// <summary>Back to what is shown, to the bit.</summary>
         internal void Restore()
         {
             transform.localPosition = _shownPosition;
             transform.localRotation = _shownRotation;
+        }
+
+        private void Remember()
+        {
+            _shownPosition = transform.localPosition;
+            _shownRotation = transform.localRotation;
         }
 
         private void Awake()

@@ -16,7 +16,7 @@ namespace LaserTracking.Host.Commands
     /// <summary>range demo: the main job on the shipped sample, a simulated range with two cameras and several shooters.</summary>
     internal static class DemoCommand
     {
-        private const string InputName = "Samples~/Demo/demo.scenario.json";
+        private const string InputName = "Assets/Sources/demo.scenario.json";
 
         public static Command Create()
         {
@@ -30,7 +30,7 @@ namespace LaserTracking.Host.Commands
         private static int Run(string folder, int? seed, CancellationToken interrupted)
         {
             string root = RepositoryFolder.Find();
-            string scenarioFile = Path.Combine(root, "Packages", "com.range.lasertracking", "Samples~", "Demo", "demo.scenario.json");
+            string scenarioFile = Path.Combine(root, "Assets", "Sources", "demo.scenario.json");
             SceneModel scene = UnitySceneReader.Read(Path.Combine(root, "Assets", "Scenes", "Range.unity"));
             SimulationScenario scenario = SimulationScenarioFile.Read(scenarioFile);
             if (seed is { } other)
