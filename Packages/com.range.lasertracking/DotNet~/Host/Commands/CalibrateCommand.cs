@@ -103,7 +103,7 @@ namespace LaserTracking.Host.Commands
             if (file == null)
                 return ExitCodes.Done;
             if (mm.Count == 0)
-                Console.Error.WriteLine("range: no held-out points: the fit proves nothing about itself; fire check shots or give \"verify\" points");
+                Console.Error.WriteLine("range: no check points: the fit goes through its corners exactly and proves nothing; fire at known places and give them as \"verify\" in --points");
             JObject content = JObject.Parse(RangeCalibrationFile.Format(calibration));
             content.Merge(result);
             file.Stream.Write(Encoding.UTF8.GetBytes(content.ToString() + "\n"));

@@ -20,7 +20,7 @@ namespace LaserTracking.Host.Commands
 
         public static Command Create()
         {
-            var output = new Option<string>("--out") { HelpName = "DIR", Description = "Folder for events.jsonl and report.html.", DefaultValueFactory = _ => Path.Combine("out", "demo") };
+            var output = new Option<string>("--out") { HelpName = "DIR", Description = "Folder for events.jsonl, truth.json and report.html.", DefaultValueFactory = _ => Path.Combine("out", "demo") };
             var seed = new Option<int?>("--seed") { HelpName = "N", Description = "Another simulation of the same scenario." };
             var command = new Command("demo", "The main job on the shipped sample: two cameras, several shooters, moving targets; no camera needed.") { output, seed };
             command.SetAction((parsed, interrupted) => Task.FromResult(Run(parsed.GetValue(output)!, parsed.GetValue(seed), interrupted)));
