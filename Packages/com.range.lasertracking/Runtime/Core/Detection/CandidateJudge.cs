@@ -116,7 +116,8 @@ namespace LaserTracking.Detection
             double maxMotion = isFaint ? _settings.MaxFaintMotionShare : IsExemplary(candidate, elongation) ? _settings.MaxExemplaryMotionShare : _settings.MaxMotionShare;
             if (Fails(ref candidate, candidate.MotionShare > maxMotion, RejectionReason.MovingSurroundings, candidate.MotionShare, maxMotion))
                 return;
-            candidate.IsConclusive = isProvenByLevel || !isFaint && !isBlunt && candidate.RingShare <= _settings.ConclusiveRingShare
+            bool isSuspect = candidate.MayBeContent && candidate.ActivityAround > _settings.QuietActivity;
+            candidate.IsConclusive = isProvenByLevel || !isSuspect && !isFaint && !isBlunt && candidate.RingShare <= _settings.ConclusiveRingShare
                 && candidate.RingLevel <= _settings.ConclusiveRingLevel && candidate.MotionShare <= _settings.ConclusiveMotionShare
                 && elongation <= _settings.ConclusiveElongation;
         }
