@@ -81,8 +81,8 @@ namespace LaserTracking.Detection
             double fresh = view.Change(seed, candidate.Plane) / (double)candidate.PeakRise;
             candidate.IsOnset = fresh >= 0.5;
             SurroundingsMeasurer.ColorRise(view, ref candidate);
-            int excess = IsContentKnown ? SurroundingsMeasurer.PeakLevel(view, candidate) - ContentLevel : 0;
-            candidate.MayBeContent = IsContentKnown && excess < _settings.MinContentExcess;
+            int excess = SurroundingsMeasurer.PeakLevel(view, candidate) - ContentLevel;
+            candidate.MayBeContent = excess < _settings.MinContentExcess && (IsContentKnown || candidate.ActivityAround > _settings.QuietActivity);
             bool isProvenByLevel = IsContentKnown && excess >= ConclusiveExcess;
             if (memory.TryFind(candidate, out known))
             {
