@@ -47,6 +47,9 @@ namespace LaserTracking.Detection
         /// <summary>Recent ordinary onset of the tile, levels.</summary>
         public double Activity;
 
+        /// <summary>The same of the liveliest tile among its own and the eight around it.</summary>
+        public double ActivityAround;
+
         /// <summary>Share of the surroundings that changed since the last frame by a sixth of the rise.</summary>
         public double MotionShare;
 

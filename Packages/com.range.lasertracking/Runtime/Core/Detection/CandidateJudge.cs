@@ -81,8 +81,8 @@ namespace LaserTracking.Detection
             double fresh = view.Change(seed, candidate.Plane) / (double)candidate.PeakRise;
             candidate.IsOnset = fresh >= 0.5;
             SurroundingsMeasurer.ColorRise(view, ref candidate);
-            int excess = IsContentKnown ? SurroundingsMeasurer.PeakLevel(view, candidate) - ContentLevel : 0;
-            candidate.MayBeContent = IsContentKnown && excess < _settings.MinContentExcess;
+            int excess = SurroundingsMeasurer.PeakLevel(view, candidate) - ContentLevel;
+            candidate.MayBeContent = excess < _settings.MinContentExcess && (IsContentKnown || candidate.ActivityAround > _settings.QuietActivity);
             bool isProvenByLevel = IsContentKnown && excess >= ConclusiveExcess;
             if (memory.TryFind(candidate, out known))
             {
@@ -116,7 +116,8 @@ namespace LaserTracking.Detection
             double maxMotion = isFaint ? _settings.MaxFaintMotionShare : IsExemplary(candidate, elongation) ? _settings.MaxExemplaryMotionShare : _settings.MaxMotionShare;
             if (Fails(ref candidate, candidate.MotionShare > maxMotion, RejectionReason.MovingSurroundings, candidate.MotionShare, maxMotion))
                 return;
-            candidate.IsConclusive = isProvenByLevel || !isFaint && !isBlunt && candidate.RingShare <= _settings.ConclusiveRingShare
+            bool isSuspect = candidate.MayBeContent && candidate.ActivityAround > _settings.QuietActivity;
+            candidate.IsConclusive = isProvenByLevel || !isSuspect && !isFaint && !isBlunt && candidate.RingShare <= _settings.ConclusiveRingShare
                 && candidate.RingLevel <= _settings.ConclusiveRingLevel && candidate.MotionShare <= _settings.ConclusiveMotionShare
                 && elongation <= _settings.ConclusiveElongation;
         }

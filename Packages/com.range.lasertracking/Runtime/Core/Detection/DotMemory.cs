@@ -22,12 +22,15 @@ namespace LaserTracking.Detection
         /// <summary>No brighter than the projected picture can be.</summary>
         public bool MayBeContent;
 
+        /// <summary>It was brighter than the projected picture can be: what is not any more is what lies there now, not the dot.</summary>
+        public bool WasAboveContent;
+
         /// <summary>Found again in the frame being processed.</summary>
         public bool IsContinued;
 
         /// <summary>It lies in the same place and is not a mere remainder of it.</summary>
         public bool GoesOnAs(in Candidate c) => c.CenterX <= Right && c.CenterX >= Left && c.CenterY <= Bottom && c.CenterY >= Top
-            && 2 * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= 3 * Area;
+            && !(WasAboveContent && c.MayBeContent) && 2 * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= 3 * Area;
     }
 
     /// <summary>

@@ -147,6 +147,7 @@ namespace LaserTracking.Detection
                     if (!TrySeed(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot++, out Candidate candidate))
                         continue;
                     candidate.Activity = tiles.Activity(tile);
+                    candidate.ActivityAround = tiles.ActivityAround(tile);
                     _seeds[seeds] = candidate;
                     _seedOrder[seeds] = seeds - (candidate.PeakRelativeRise << 16);
                     seeds++;
@@ -332,6 +333,7 @@ namespace LaserTracking.Detection
                 Plane = candidate.Plane,
                 PositionPx = dot.PositionPx,
                 MayBeContent = candidate.MayBeContent,
+                WasAboveContent = _judge.IsContentKnown && !candidate.MayBeContent,
             });
         }
     }

@@ -123,6 +123,11 @@ namespace LaserTracking.Detection
         /// </summary>
         public int MinContentExcess { get; set; } = 24;
 
+        /// <summary>
+        /// Recent activity nearby above which light no brighter than the projected picture has to prove itself by going out, levels, 0…255.
+        /// </summary>
+        public double QuietActivity { get; set; } = 4;
+
         /// <summary>Radius of the surroundings that must be at rest, px at 640, 4…320.</summary>
         public double MotionRadiusPx { get; set; } = 40;
 
@@ -183,6 +188,7 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MaxExemplaryMotionShare), MaxExemplaryMotionShare, 0, 1);
             SettingCheck.InRange(nameof(ExemplaryRise), ExemplaryRise, 0, 1);
             SettingCheck.InRange(nameof(ExemplaryCompactness), ExemplaryCompactness, 0, 1);
+            SettingCheck.InRange(nameof(QuietActivity), QuietActivity, 0, 255);
             SettingCheck.InRange(nameof(MinContentExcess), MinContentExcess, 1, 255);
             SettingCheck.InRange(nameof(MotionRadiusPx), MotionRadiusPx, 4, 320);
             SettingCheck.InRange(nameof(ColorCoherence), ColorCoherence, 0, 1);

@@ -28,6 +28,20 @@ namespace LaserTracking.Detection
 
         public double Activity(int tile) => _activity[tile];
 
+        /// <summary>The largest activity of a tile and the eight around it: how much has moved nearby.</summary>
+        public double ActivityAround(int tile)
+        {
+            float largest = 0;
+            int column = tile % Columns, row = tile / Columns;
+            for (int y = Math.Max(0, row - 1); y <= Math.Min(Rows - 1, row + 1); y++)
+            {
+                for (int x = Math.Max(0, column - 1); x <= Math.Min(Columns - 1, column + 1); x++)
+                    largest = Math.Max(largest, _activity[y * Columns + x]);
+            }
+
+            return largest;
+        }
+
         public void Resize(int width, int height)
         {
             Columns = (width + Size - 1) / Size;
