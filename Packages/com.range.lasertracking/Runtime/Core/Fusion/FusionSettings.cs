@@ -26,10 +26,16 @@ namespace LaserTracking.Fusion
         public double WristSigmaRad { get; set; } = 0.26;
 
         /// <summary>Share of shots fired along the sights (eye over muzzle) rather than along the arm, where the head is seen.</summary>
-        public double SightedShare { get; set; } = 0.8;
+        public double SightedShare { get; set; } = 0.93;
 
         /// <summary>Standard deviation between the line of sight over the muzzle and the light about one axis, radians, beside what the tracker says.</summary>
         public double SightSpreadRad { get; set; } = 0.03;
+
+        /// <summary>Share of sightings that are far worse than they say (a finger taken for the barrel), with three times the standard deviation.</summary>
+        public double PoorSightShare { get; set; } = 0.15;
+
+        /// <summary>How much a hand still counts whose forearm points elsewhere than its sight line: bent elbows do.</summary>
+        public double BentArmShare { get; set; } = 0.1;
 
         /// <summary>Growth of the aim's standard deviation with the distance in time to the nearest sighting, radians a second.</summary>
         public double AimDriftRadPerS { get; set; } = 0.6;
@@ -98,6 +104,7 @@ namespace LaserTracking.Fusion
             Check(EpsilonM >= 0 && RelinkM >= 0 && SameWeaponM >= 0, "lengths not negative");
             Check(WristSigmaRad > 0 && AimDriftRadPerS >= 0 && MuzzleDriftMPerS >= 0, "WristSigmaRad above zero, drifts not negative");
             Check(SightedShare >= 0 && SightedShare <= 1 && SightSpreadRad >= 0, "SightedShare 0…1, SightSpreadRad not negative");
+            Check(PoorSightShare >= 0 && PoorSightShare < 1 && BentArmShare > 0 && BentArmShare <= 1, "PoorSightShare 0…1, BentArmShare above 0, at most 1");
             Check(OutlierShare >= 0 && OutlierShare < 1, "OutlierShare at least 0, below 1");
             Check(NobodyPrior > 0 && NobodyPrior < 1, "NobodyPrior between 0 and 1");
             Check(StrangerShare > 0 && HiddenShare >= 0 && HiddenShare < 1 && OutOfViewShare >= 0 && OutOfViewShare < 1, "StrangerShare above 0, HiddenShare and OutOfViewShare at least 0, below 1");

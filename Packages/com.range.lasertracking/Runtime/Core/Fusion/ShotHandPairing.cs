@@ -66,7 +66,13 @@ namespace LaserTracking.Fusion
             double sighted = double.IsNaN(shot.SightErrorRad) ? 0 : double.IsNaN(shot.AimErrorRad) ? 1 : settings.SightedShare;
             double aimed = 0;
             if (sighted > 0)
-                aimed += sighted * Density(shot.SightErrorRad, sight);
+            {
+                // The forearm bears the line out or not; its own angle is far too rough to be more than that.
+                double arm = 2 * wrist, straight = double.IsNaN(shot.AimErrorRad) ? 1 : Math.Exp(-shot.AimErrorRad * shot.AimErrorRad / (2 * arm));
+                double fits = (1 - settings.PoorSightShare) * Density(shot.SightErrorRad, sight) + settings.PoorSightShare * Density(shot.SightErrorRad, 9 * sight);
+                aimed += sighted * fits * (settings.BentArmShare + (1 - settings.BentArmShare) * straight);
+            }
+
             if (sighted < 1)
                 aimed += (1 - sighted) * (double.IsNaN(shot.AimErrorRad) ? anywhere : Density(shot.AimErrorRad, wrist));
             return ((1 - settings.OutlierShare) * aimed + settings.OutlierShare * anywhere) * solidAnglePerM2;

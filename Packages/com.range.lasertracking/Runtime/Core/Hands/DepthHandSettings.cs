@@ -110,8 +110,8 @@ namespace LaserTracking.Hands
         /// <summary>Standard deviation of a muzzle that is not seen itself, along one axis.</summary>
         public double MuzzleSigmaMm { get; set; } = 35;
 
-        /// <summary>The same of an arm that reaches the edge of what the camera sees: somewhere within half an arm.</summary>
-        public double CutSigmaMm { get; set; } = 200;
+        /// <summary>The same of an arm that reaches the edge of what the camera sees: somewhere within half an arm along itself, much less across.</summary>
+        public double CutSigmaMm { get; set; } = 90;
 
         /// <summary>How far a hand may be from where its track expects it, one frame later: 3 m/s at 15 frames/s.</summary>
         public double TrackGateMm { get; set; } = 200;
