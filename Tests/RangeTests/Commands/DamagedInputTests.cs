@@ -91,6 +91,21 @@ public sealed class DamagedInputTests
     }
 
     [Test]
+    public void Replay_HandRecordingThatCannotHelp_SaysSo()
+    {
+        using var folder = new TemporaryFolder();
+        string calibration = folder.File("screen.json"), file = TestFiles.Reference("k4a", "rec_small.mkv"), hand = TestFiles.Reference("k4a", "rec_hand_nfov.mkv");
+        string colorAlone = TestFiles.Reference("k4a", "rec_minimal_no_device.mkv");
+        CommandLine.Run("calibrate", "screen", "--size", "3x2", "--out", calibration, "--corners", "150,82", "1138,104", "1110,640", "182,622");
+        JObject content = JObject.Parse(File.ReadAllText(calibration));
+        content["hand_camera"] = JObject.Parse("{\"image_size\":[640,576],\"K\":[[500,0,320],[0,500,288],[0,0,1]],\"R\":[[1,0,0],[0,1,0],[0,0,1]],\"T\":[0,0,-2000]}");
+        File.WriteAllText(calibration, content.ToString());
+        CommandLine.AssertRefused("holds no depth", "replay", file, "--calibration", calibration, "--hand", colorAlone);
+        Assert.That(Health(file, "--calibration", calibration, "--hand", hand, "--hand-offset-us", "99000000"), Has.Some.Contains("--hand-offset-us"));
+        Assert.That(Health(hand, "--calibration", calibration, "--hand", hand), Has.None.Contains("second camera"));
+    }
+
+    [Test]
     public void Extract_CapturesThatAreNotThere_IsRefused()
     {
         using var folder = new TemporaryFolder();

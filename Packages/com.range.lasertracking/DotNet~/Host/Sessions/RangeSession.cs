@@ -54,6 +54,8 @@ namespace LaserTracking.Host.Sessions
                 progress.Show(ProgressText(frame, plan.ScreenCamera.Info, watch));
             };
             bool isComplete = runner.Run(interrupted);
+            if (isComplete && handCamera != null && !runner.HasHandsInTime)
+                pipeline.ReportInputProblem(new FrameProblem(-1, "no frame of the second camera lies in the time of the first: nobody can be named; give the clocks' difference with --hand-offset-us"));
             pipeline.End(watch.Elapsed.TotalSeconds);
             return isComplete;
         }

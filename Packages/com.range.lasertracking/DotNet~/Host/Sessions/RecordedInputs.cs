@@ -15,8 +15,20 @@ namespace LaserTracking.Host.Sessions
             FrameSources.Open(path, recording => Open(recording, KinectStreams.Color | KinectStreams.Infrared));
 
         /// <summary>Camera 1: depth.</summary>
-        public static IFrameSource OpenHandCamera(string path) =>
-            FrameSources.Open(path, recording => Open(recording, KinectStreams.Depth));
+        /// <exception cref="InputException">It holds no depth.</exception>
+        public static IFrameSource OpenHandCamera(string path)
+        {
+            if (FrameSources.Detect(path) != FrameSourceKind.AzureKinectRecording)
+                throw NoDepth(path);
+            KinectRecording recording = KinectRecording.Open(path);
+            if (recording.DepthTrack != null)
+                return new KinectRecordingSource(recording, KinectStreams.Depth);
+            recording.Dispose();
+            throw NoDepth(path);
+        }
+
+        private static InputException NoDepth(string path) =>
+            new(path, "the second camera's recording holds no depth", "give the recording of the depth camera that sees the trainees");
 
         private static KinectRecordingSource Open(string path, KinectStreams streams) =>
             new(KinectRecording.Open(path), streams);

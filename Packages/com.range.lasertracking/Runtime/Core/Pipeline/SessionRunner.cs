@@ -18,6 +18,8 @@ namespace LaserTracking.Pipeline
         private readonly Frame _handFrame = new Frame();
         private bool _hasStarted;
         private bool _hasHandFrame;
+        private bool _hasProcessed;
+        private long _firstTimeUs;
         private int _screenProblems;
         private int _handProblems;
 
@@ -38,6 +40,9 @@ namespace LaserTracking.Pipeline
 
         /// <summary>The frame of camera 0 that was read last.</summary>
         public Frame Current { get; } = new Frame();
+
+        /// <summary>Whether a frame of camera 1 so far lies between the first and the current frame of camera 0.</summary>
+        public bool HasHandsInTime { get; private set; }
 
         /// <summary>Processes all frames; true when the end was reached, false when it was interrupted.</summary>
         public bool Run(CancellationToken interrupted)
@@ -71,8 +76,12 @@ namespace LaserTracking.Pipeline
         /// <summary>Processes the current frame, before it what camera 1 saw until then.</summary>
         public void ProcessCurrent()
         {
+            if (!_hasProcessed)
+                _firstTimeUs = Current.TimeUs;
+            _hasProcessed = true;
             while (_hasHandFrame && _handFrame.TimeUs <= Current.TimeUs)
             {
+                HasHandsInTime |= _handFrame.TimeUs >= _firstTimeUs;
                 _pipeline.ProcessHands(_handFrame);
                 _hasHandFrame = TryReadHands(_handFrame);
             }
