@@ -17,6 +17,7 @@ namespace LaserTracking.Detection
         private readonly DetectionPlanes _planes = new DetectionPlanes();
         private readonly BlobMeasurer _blobs = new BlobMeasurer();
         private readonly CandidateJudge _judge;
+        private readonly SeedFinder _finder;
         private readonly DotLocator _locator = new DotLocator();
         private readonly DotMemory _memory = new DotMemory();
         private readonly NoiseMeter _noise = new NoiseMeter();
@@ -26,7 +27,6 @@ namespace LaserTracking.Detection
         private readonly Candidate[] _candidates;
         private readonly Candidate[] _seeds;
         private readonly int[] _seedOrder;
-        private readonly byte[] _rises;
         private int _candidateCount;
         private bool _isSmooth;
 
@@ -40,7 +40,7 @@ namespace LaserTracking.Detection
             _candidates = new Candidate[4 * _settings.MaxCandidates];
             _seeds = new Candidate[_settings.MaxCandidates];
             _seedOrder = new int[_settings.MaxCandidates];
-            _rises = new byte[_settings.MaxCandidates * TileGrid.Size * TileGrid.Size];
+            _finder = new SeedFinder(_settings.MaxCandidates, _blobs, _memory);
             for (int headroom = 0; headroom < 256; headroom++)
                 _reciprocal[headroom] = 255 * 256 / (headroom + 8);
         }
@@ -143,8 +143,8 @@ namespace LaserTracking.Detection
                 foreach (int tile in hot)
                 {
                     if (round == 0)
-                        FillTile(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot);
-                    if (!TrySeed(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot++, out Candidate candidate))
+                        _finder.Fill(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot);
+                    if (!_finder.TryFind(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot++, out Candidate candidate))
                         continue;
                     candidate.Activity = tiles.Activity(tile);
                     candidate.ActivityAround = tiles.ActivityAround(tile);
@@ -165,46 +165,6 @@ namespace LaserTracking.Detection
             }
         }
 
-        /// <summary>Keeps the tile's relative rises: both rounds look for their highest.</summary>
-        private void FillTile(in FrameView view, DetectionPlane plane, int tileX, int tileY, int slot)
-        {
-            int x0 = tileX * TileGrid.Size, x1 = Math.Min(view.Width, x0 + TileGrid.Size);
-            int y0 = tileY * TileGrid.Size, y1 = Math.Min(view.Height, y0 + TileGrid.Size);
-            for (int y = y0; y < y1; y++)
-            {
-                int target = (slot * TileGrid.Size + y - y0) * TileGrid.Size;
-                for (int x = x0; x < x1; x++)
-                    _rises[target++] = (byte)view.RelativeRise(y * view.Width + x, plane);
-            }
-        }
-
-        /// <summary>The highest relative rise in the tile that no candidate of this plane, and no dot found already, has taken.</summary>
-        private bool TrySeed(in FrameView view, DetectionPlane plane, int tileX, int tileY, int slot, out Candidate candidate)
-        {
-            int best = 0, bestX = -1, bestY = -1;
-            int x0 = tileX * TileGrid.Size, x1 = Math.Min(view.Width, x0 + TileGrid.Size);
-            int y0 = tileY * TileGrid.Size, y1 = Math.Min(view.Height, y0 + TileGrid.Size);
-            for (int y = y0; y < y1; y++)
-            {
-                int source = (slot * TileGrid.Size + y - y0) * TileGrid.Size;
-                for (int x = x0; x < x1; x++)
-                {
-                    int rise = _rises[source++];
-                    if (rise <= best || _blobs.IsTaken(y * view.Width + x) || _memory.IsLit(x, y))
-                        continue;
-                    best = rise;
-                    bestX = x;
-                    bestY = y;
-                }
-            }
-
-            candidate = new Candidate { Plane = plane, SeedX = bestX, SeedY = bestY, PeakRelativeRise = best };
-            if (bestX < 0)
-                return false;
-            candidate.PeakRise = view.Rise(bestY * view.Width + bestX, plane);
-            return true;
-        }
-
         /// <summary>Light that no projected picture reaches, wherever no dot has been found yet: motion around it means nothing.</summary>
         private void SearchAboveContent(Image image, in FrameView view, Detections detections)
         {
@@ -214,43 +174,13 @@ namespace LaserTracking.Detection
             for (int tile = 0; tile < tiles.Columns * tiles.Rows && _candidateCount < _candidates.Length; tile++)
             {
                 if (tiles.Onset(tile) < _settings.MinContentExcess / 2
-                    || !TryExcess(view, tile % tiles.Columns * TileGrid.Size, tile / tiles.Columns * TileGrid.Size, limit, out Candidate candidate))
+                    || !_finder.TryFindExcess(view, tile % tiles.Columns, tile / tiles.Columns, limit, out Candidate candidate))
                     continue;
                 candidate.Activity = tiles.Activity(tile);
                 candidate.IsAboveContent = true;
                 Examine(image, view, ref candidate, detections);
                 _candidates[_candidateCount++] = candidate;
             }
-        }
-
-        /// <summary>The tile's brightest pixel above the limit; of equally bright ones that which rose most.</summary>
-        private bool TryExcess(in FrameView view, int x0, int y0, int limit, out Candidate candidate)
-        {
-            int best = 0, bestX = -1, bestY = -1;
-            int x1 = Math.Min(view.Width, x0 + TileGrid.Size), y1 = Math.Min(view.Height, y0 + TileGrid.Size);
-            for (int y = y0; y < y1; y++)
-            {
-                for (int x = x0; x < x1; x++)
-                {
-                    // The new envelope is never below the level itself, and one byte.
-                    int i = y * view.Width + x;
-                    if (view.NewLargest[i] < limit)
-                        continue;
-                    int level = FrameView.Level(view.Now[i], DetectionPlane.Largest);
-                    int rise = level - view.OldLargest[i];
-                    if (level < limit || rise <= 0 || (level << 8 | rise) <= best || _blobs.IsTaken(i) || _memory.IsLit(x, y))
-                        continue;
-                    best = level << 8 | rise;
-                    bestX = x;
-                    bestY = y;
-                }
-            }
-
-            candidate = new Candidate { Plane = DetectionPlane.Largest, SeedX = bestX, SeedY = bestY, PeakRise = best & 255 };
-            if (bestX < 0)
-                return false;
-            candidate.PeakRelativeRise = view.RelativeRise(bestY * view.Width + bestX, DetectionPlane.Largest);
-            return true;
         }
 
         private void Examine(Image image, in FrameView view, ref Candidate candidate, Detections detections)
