@@ -29,10 +29,10 @@ namespace LaserTracking.Fusion
         public double SightedShare { get; set; } = 0.93;
 
         /// <summary>Standard deviation between the line of sight over the muzzle and the light about one axis, radians, beside what the tracker says.</summary>
-        public double SightSpreadRad { get; set; } = 0.03;
+        public double SightSpreadRad { get; set; } = 0.015;
 
-        /// <summary>Share of sightings that are far worse than they say (a finger taken for the barrel), with three times the standard deviation.</summary>
-        public double PoorSightShare { get; set; } = 0.15;
+        /// <summary>Share of sightings that are far worse than they say (a finger taken for the barrel), with four times the standard deviation.</summary>
+        public double PoorSightShare { get; set; } = 0.2;
 
         /// <summary>How much a hand still counts whose forearm points elsewhere than its sight line: bent elbows do.</summary>
         public double BentArmShare { get; set; } = 0.1;

@@ -69,7 +69,7 @@ namespace LaserTracking.Fusion
             {
                 // The forearm bears the line out or not; its own angle is far too rough to be more than that.
                 double arm = 2 * wrist, straight = double.IsNaN(shot.AimErrorRad) ? 1 : Math.Exp(-shot.AimErrorRad * shot.AimErrorRad / (2 * arm));
-                double fits = (1 - settings.PoorSightShare) * Density(shot.SightErrorRad, sight) + settings.PoorSightShare * Density(shot.SightErrorRad, 9 * sight);
+                double fits = (1 - settings.PoorSightShare) * Density(shot.SightErrorRad, sight) + settings.PoorSightShare * Density(shot.SightErrorRad, 16 * sight);
                 aimed += sighted * fits * (settings.BentArmShare + (1 - settings.BentArmShare) * straight);
             }
 

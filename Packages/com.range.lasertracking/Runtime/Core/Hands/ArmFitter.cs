@@ -286,7 +286,7 @@ namespace LaserTracking.Hands
             {
                 fit.MuzzleMm = end + axis * BinMm;
                 fit.HasWeapon = true;
-                fit.MuzzleSigmaMm = 1.5 * _settings.PalmSigmaMm;
+                fit.MuzzleSigmaMm = _settings.PalmSigmaMm;
                 return;
             }
 

@@ -9,6 +9,8 @@ namespace LaserTracking.Hands
     /// </summary>
     internal sealed class BodySegmenter
     {
+        public const int MaybeHead = 128;
+
         private const int MaxLevel = 3;
         private const int MinContacts = 2;
 
@@ -47,7 +49,7 @@ namespace LaserTracking.Hands
 
         public int ArmCount { get; private set; }
 
-        /// <summary>Not zero in the cells of arms, as of the last frame; what may be a head is none.</summary>
+        /// <summary>0 beside arms, else i + 1 in the cells of arm i, or <see cref="MaybeHead"/> + i where that is no deeper than a head.</summary>
         public byte[] Owner => _owner;
 
         public ReadOnlySpan<int> CellsOf(in ArmPart arm) => new ReadOnlySpan<int>(_cells, arm.First, arm.Count);
@@ -87,7 +89,7 @@ namespace LaserTracking.Hands
             {
                 PlaceEye(ref Arms[i]);
                 foreach (int cell in CellsOf(Arms[i]))
-                    _owner[cell] = Arms[i].IsShallow ? (byte)0 : (byte)(i + 1);
+                    _owner[cell] = (byte)(Arms[i].IsShallow ? MaybeHead + i : i + 1);
             }
         }
 
@@ -281,7 +283,7 @@ namespace LaserTracking.Hands
             ref ArmPart a = ref Arms[k];
             ref readonly ArmPart b = ref Arms[i];
             int first = _used;
-            if (first + a.Count + b.Count > _cells.Length || a.AreaMm2 + b.AreaMm2 > _settings.MaxArmAreaMm2)
+            if (first + a.Count + b.Count > _cells.Length || a.AreaMm2 + b.AreaMm2 > 0.5 * _settings.MaxArmAreaMm2)
                 return;
             Array.Copy(_cells, a.First, _cells, first, a.Count);
             Array.Copy(_cells, b.First, _cells, first + a.Count, b.Count);

@@ -85,7 +85,7 @@ namespace LaserTracking.Hands
             _people.Begin(timeUs);
             for (int i = 0; i < _segmenter.ArmCount; i++)
             {
-                if (_heads.TryFind(_grid, _segmenter.Owner, _segmenter.Arms[i].RootMm, out Vector3D eye))
+                if (_heads.TryFind(_grid, _segmenter.Owner, i, _segmenter.Arms[i].RootMm, out Vector3D eye))
                     _people.See(eye, timeUs);
             }
 

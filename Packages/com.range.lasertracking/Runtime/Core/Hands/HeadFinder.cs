@@ -49,14 +49,15 @@ namespace LaserTracking.Hands
 
         /// <summary>The eyes in upright space, mm; false when no head is seen over this arm.</summary>
         /// <param name="grid">Depth.</param>
-        /// <param name="owner">Not zero in the cells of arms.</param>
+        /// <param name="owner">Which arm each cell belongs to, as of <see cref="BodySegmenter.Owner"/>.</param>
+        /// <param name="arm">The arm's number: it is not its own head.</param>
         /// <param name="rootMm">The arm's rear end, camera space.</param>
         /// <param name="eyeMm">Between the eyes.</param>
-        public bool TryFind(DepthGrid grid, byte[] owner, Vector3D rootMm, out Vector3D eyeMm)
+        public bool TryFind(DepthGrid grid, byte[] owner, int arm, Vector3D rootMm, out Vector3D eyeMm)
         {
             eyeMm = default;
             Vector3D root = _upright.ToUpright(rootMm);
-            Gather(grid, owner, root);
+            Gather(grid, owner, arm, root);
             double gathered = 0;
             int bin = Bins - 1;
             while (bin > 0 && (gathered += _area[bin]) < CrownAreaMm2)
@@ -78,7 +79,7 @@ namespace LaserTracking.Hands
             return true;
         }
 
-        private void Gather(DepthGrid grid, byte[] owner, Vector3D root)
+        private void Gather(DepthGrid grid, byte[] owner, int arm, Vector3D root)
         {
             Array.Clear(_area, 0, Bins);
             _count = 0;
@@ -94,7 +95,8 @@ namespace LaserTracking.Hands
                 for (int column = left; column <= right; column++)
                 {
                     int cell = row * grid.Width + column;
-                    if (grid.Z[cell] == 0 || owner[cell] != 0)
+                    byte part = owner[cell];
+                    if (grid.Z[cell] == 0 || (part > 0 && part < BodySegmenter.MaybeHead) || part == BodySegmenter.MaybeHead + arm)
                         continue;
                     Vector3D d = _upright.ToUpright(grid.Point(cell)) - root;
                     if (Math.Abs(d.X) > AsideMm || d.Y < -BelowMm || d.Y >= AboveMm || d.Z < -BeforeMm || d.Z > BehindMm)

@@ -32,7 +32,7 @@ namespace LaserTracking.Hands
         private const double SinkShare = 0.005;
 
         /// <summary>Fewer sightings may be a chair or a raised hand.</summary>
-        private const int NeededSightings = 5;
+        private const int NeededSightings = 10;
 
         private const long MemoryUs = 20_000_000;
         private const int MaxWeight = 30;

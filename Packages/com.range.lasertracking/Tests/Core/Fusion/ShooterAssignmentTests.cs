@@ -134,6 +134,50 @@ namespace LaserTracking.Fusion
         }
 
         [Test]
+        public void Fuse_HandGivenToTheWrongNeighbour_IsStillTheOneWhoAimsOverIt()
+        {
+            var dot = new Vector2D(1.2, 0.8);
+            var eyes = new Vector3D(1.4, 0.9, -2.9);
+            Vector3D muzzle = eyes + (new Vector3D(dot.X, dot.Y, 0) - eyes).Normalized * 0.75;
+            HandObservation hand = Hand(4, muzzle, dot, HandSide.Right);
+            hand.PersonId = 2;
+            SeePeople(0, new[] { Person(1, eyes), Person(2, eyes + new Vector3D(0.65, 0, 0)) }, hand);
+            Assert.That(_assignment.Fuse(Shot(0, LaserColor.Green), dot).Shooter, Is.EqualTo(1));
+            SeePeople(5_000_000, new[] { Person(1, eyes), Person(2, eyes + new Vector3D(0.65, 0, 0)) }, Hand(9, muzzle, dot, HandSide.Right));
+            Assert.That(_assignment.Fuse(Shot(5_000_000, LaserColor.Green), dot).Shooter, Is.EqualTo(1), "a person, not a track");
+        }
+
+        [Test]
+        public void Fuse_TwoWhoseHandsAreHidden_IsUnknown()
+        {
+            SeePeople(0, new[] { Person(1, new Vector3D(1.4, 0.9, -2.9)), Person(2, new Vector3D(2.1, 0.9, -2.9)) });
+            FusedShot fused = _assignment.Fuse(Shot(0, LaserColor.Green), new Vector2D(1.7, 0.8));
+            Assert.That(fused.Shooter, Is.Zero);
+        }
+
+        [Test]
+        public void Fuse_SteadyOffsetOfTheAim_IsLearned()
+        {
+            // The eyes as seen are 80 mm beside those over which is aimed: two persons' lines differ by less.
+            var aimed = new Vector3D(1.4, 0.9, -2.9);
+            PersonObservation[] people = { Person(1, aimed + new Vector3D(0.08, 0, 0)) };
+            double first = 0, last = 0;
+            for (int i = 0; i < 6; i++)
+            {
+                var dot = new Vector2D(0.6 + 0.4 * i, 0.5 + 0.2 * (i % 3));
+                HandObservation hand = Hand(4, aimed + (new Vector3D(dot.X, dot.Y, 0) - aimed).Normalized * 0.75, dot, HandSide.Right);
+                hand.PersonId = 1;
+                SeePeople(i * 2_000_000L, people, hand);
+                last = _assignment.Fuse(Shot(i * 2_000_000L, LaserColor.Green), dot).SightErrorRad;
+                if (i == 0)
+                    first = last;
+            }
+
+            Assert.That(first, Is.GreaterThan(0.08));
+            Assert.That(last, Is.LessThan(0.3 * first));
+        }
+
+        [Test]
         public void Fuse_FiftyShotsAtOnce_StaysBoundedAndGivesOneEach()
         {
             var dot = new Vector2D(1.2, 0.8);
@@ -156,7 +200,7 @@ namespace LaserTracking.Fusion
             var shots = new Shot[3];
             var places = new[] { dot, new Vector2D(2, 1), new Vector2D(3, 1) };
             var fused = new FusedShot[3];
-            See(0, Hand(4, new Vector3D(1.5, 1.0, -2.5), dot, HandSide.Right));
+            SeePeople(0, new[] { Person(1, new Vector3D(1.6, 0.9, -3.2)) }, Hand(4, new Vector3D(1.5, 1.0, -2.5), dot, HandSide.Right));
             _assignment.Fuse(shots, places, fused);
             long before = GC.GetAllocatedBytesForCurrentThread();
             for (int i = 0; i < 10; i++)
@@ -182,9 +226,16 @@ namespace LaserTracking.Fusion
             };
         }
 
-        private void See(long timeUs, params HandObservation[] hands)
+        private static PersonObservation Person(int id, Vector3D eyesM) =>
+            new PersonObservation { PersonId = id, EyeMm = Camera.ToCameraMm(eyesM), SigmaMm = 60 };
+
+        private void See(long timeUs, params HandObservation[] hands) => SeePeople(timeUs, new PersonObservation[0], hands);
+
+        private void SeePeople(long timeUs, PersonObservation[] people, params HandObservation[] hands)
         {
             _hands.Begin(0, timeUs);
+            foreach (PersonObservation person in people)
+                _hands.Add(person);
             foreach (HandObservation hand in hands)
                 _hands.Add(hand);
             _assignment.AddHands(_hands);
