@@ -2,105 +2,106 @@ using System.IO;
 using LaserTracking.Host;
 using NUnit.Framework;
 
-namespace LaserTracking.Commands;
-
-public sealed class CalibrateCommandTests
+namespace LaserTracking.Commands
 {
-    private static readonly string[] Corners = { "150,82", "1138,104", "1110,640", "182,622" };
-
-    [TestCase("3 corners given", "1,1", "2,2", "3,3")]
-    [TestCase("corners 1 and 2 lie in one place", "1,1", "1,1", "1,1", "1,1")]
-    [TestCase("lie on one line", "0,0", "1,1", "2,2", "3,3")]
-    [TestCase("lie on one line", "0,0", "100,0", "50,50", "100,100")]
-    [TestCase("the corners cross", "0,0", "100,100", "100,0", "0,100")]
-    [TestCase("\"NaN,0\" is not two numbers", "NaN,0", "1,1", "2,2", "3,3")]
-    [TestCase("\"1e400,0\" is not two numbers", "1e400,0", "1,1", "2,2", "3,3")]
-    [TestCase("outside the image of 1280x720", "2000,0", "3000,0", "3000,900", "2000,900")]
-    public void Screen_ImpossibleCorners_AreRefused(string words, params string[] corners)
+    public sealed class CalibrateCommandTests
     {
-        using var folder = new TemporaryFolder();
-        string result = folder.File("screen.json");
-        CommandLine.AssertRefused(words, ["calibrate", "screen", "--size", "3.73x2.26", "--out", result, "--corners", .. corners]);
-        Assert.That(Directory.GetFiles(folder.Path), Is.Empty);
-    }
+        private static readonly string[] Corners = { "150,82", "1138,104", "1110,640", "182,622" };
 
-    [TestCase("--size: \"0x0\"", "--size", "0x0")]
-    [TestCase("--size: \"3,73x2,26\"", "--size", "3,73x2,26")]
-    [TestCase("--size: \"1e-9x1\"", "--size", "1e-9x1")]
-    [TestCase("--image-size: \"0x0\"", "--size", "3x2", "--image-size", "0x0")]
-    [TestCase("--image-size: \"1e3x3.7\"", "--size", "3x2", "--image-size", "1e3x3.7")]
-    [TestCase("--limit: \"a\"", "--size", "3x2", "--limit", "a")]
-    [TestCase("--limit: must be", "--size", "3x2", "--limit", "NaN")]
-    public void Screen_ImpossibleOption_IsRefused(string words, params string[] options)
-    {
-        using var folder = new TemporaryFolder();
-        CommandLine.AssertRefused(words, ["calibrate", "screen", "--out", folder.File("screen.json"), "--corners", .. Corners, .. options]);
-        Assert.That(Directory.GetFiles(folder.Path), Is.Empty);
-    }
+        [TestCase("3 corners given", "1,1", "2,2", "3,3")]
+        [TestCase("corners 1 and 2 lie in one place", "1,1", "1,1", "1,1", "1,1")]
+        [TestCase("lie on one line", "0,0", "1,1", "2,2", "3,3")]
+        [TestCase("lie on one line", "0,0", "100,0", "50,50", "100,100")]
+        [TestCase("the corners cross", "0,0", "100,100", "100,0", "0,100")]
+        [TestCase("\"NaN,0\" is not two numbers", "NaN,0", "1,1", "2,2", "3,3")]
+        [TestCase("\"1e400,0\" is not two numbers", "1e400,0", "1,1", "2,2", "3,3")]
+        [TestCase("outside the image of 1280x720", "2000,0", "3000,0", "3000,900", "2000,900")]
+        public void Screen_ImpossibleCorners_AreRefused(string words, params string[] corners)
+        {
+            using var folder = new TemporaryFolder();
+            string result = folder.File("screen.json");
+            CommandLine.AssertRefused(words, ["calibrate", "screen", "--size", "3.73x2.26", "--out", result, "--corners", .. corners]);
+            Assert.That(Directory.GetFiles(folder.Path), Is.Empty);
+        }
 
-    [TestCase("{", "not JSON at line 1")]
-    [TestCase("{}", "field image_px is missing")]
-    [TestCase("{\"image_px\":[[1,2],[3,NaN]],\"screen_m\":[[1,2],[3,4]]}", "field image_px, point 2")]
-    [TestCase("{\"image_px\":[[1,2]],\"screen_m\":[[1,2]]}", "at least four")]
-    [TestCase("{\"image_px\":[[1,2]],\"screen_m\":[[1,2],[3,4]]}", "differ in length")]
-    [TestCase("{\"image_px\":[[1,2]],\"screen_m\":[[1,2]],\"image_size\":[\"a\",\"b\"]}", "field image_size")]
-    [TestCase("{\"image_px\":[[1,2]],\"screen_m\":[[1,2]],\"verify\":7}", "field verify")]
-    public void Screen_BrokenPoints_AreRefused(string content, string words)
-    {
-        using var folder = new TemporaryFolder();
-        string points = folder.File("points.json");
-        File.WriteAllText(points, content);
-        CommandLine.AssertRefused(words, "calibrate", "screen", "--size", "3x2", "--points", points, "--out", folder.File("screen.json"));
-        CommandLine.AssertRefused("this file is also read", "calibrate", "screen", "--size", "3x2", "--points", points, "--out", points);
-        Assert.That(Directory.GetFiles(folder.Path), Is.EqualTo(new[] { points }));
-    }
+        [TestCase("--size: \"0x0\"", "--size", "0x0")]
+        [TestCase("--size: \"3,73x2,26\"", "--size", "3,73x2,26")]
+        [TestCase("--size: \"1e-9x1\"", "--size", "1e-9x1")]
+        [TestCase("--image-size: \"0x0\"", "--size", "3x2", "--image-size", "0x0")]
+        [TestCase("--image-size: \"1e3x3.7\"", "--size", "3x2", "--image-size", "1e3x3.7")]
+        [TestCase("--limit: \"a\"", "--size", "3x2", "--limit", "a")]
+        [TestCase("--limit: must be", "--size", "3x2", "--limit", "NaN")]
+        public void Screen_ImpossibleOption_IsRefused(string words, params string[] options)
+        {
+            using var folder = new TemporaryFolder();
+            CommandLine.AssertRefused(words, ["calibrate", "screen", "--out", folder.File("screen.json"), "--corners", .. Corners, .. options]);
+            Assert.That(Directory.GetFiles(folder.Path), Is.Empty);
+        }
 
-    [Test]
-    public void Screen_UnwritableResult_IsRefusedBeforeAnythingIsPrinted()
-    {
-        using var folder = new TemporaryFolder();
-        string file = folder.File("file");
-        File.WriteAllText(file, "kept");
-        CommandLine.AssertRefused("is a file, not a folder", ["calibrate", "screen", "--size", "3x2", "--out", Path.Combine(file, "screen.json"), "--corners", .. Corners]);
-        CommandLine.AssertRefused("this is no name for a file", ["calibrate", "screen", "--size", "3x2", "--out", folder.Path, "--corners", .. Corners]);
-        Assert.That(File.ReadAllText(file), Is.EqualTo("kept"));
-        Assert.That(File.Exists(folder.Path + ".part"), Is.False);
-    }
+        [TestCase("{", "not JSON at line 1")]
+        [TestCase("{}", "field image_px is missing")]
+        [TestCase("{\"image_px\":[[1,2],[3,NaN]],\"screen_m\":[[1,2],[3,4]]}", "field image_px, point 2")]
+        [TestCase("{\"image_px\":[[1,2]],\"screen_m\":[[1,2]]}", "at least four")]
+        [TestCase("{\"image_px\":[[1,2]],\"screen_m\":[[1,2],[3,4]]}", "differ in length")]
+        [TestCase("{\"image_px\":[[1,2]],\"screen_m\":[[1,2]],\"image_size\":[\"a\",\"b\"]}", "field image_size")]
+        [TestCase("{\"image_px\":[[1,2]],\"screen_m\":[[1,2]],\"verify\":7}", "field verify")]
+        public void Screen_BrokenPoints_AreRefused(string content, string words)
+        {
+            using var folder = new TemporaryFolder();
+            string points = folder.File("points.json");
+            File.WriteAllText(points, content);
+            CommandLine.AssertRefused(words, "calibrate", "screen", "--size", "3x2", "--points", points, "--out", folder.File("screen.json"));
+            CommandLine.AssertRefused("this file is also read", "calibrate", "screen", "--size", "3x2", "--points", points, "--out", points);
+            Assert.That(Directory.GetFiles(folder.Path), Is.EqualTo(new[] { points }));
+        }
 
-    [Test]
-    public void Screen_LinkAsResult_StaysALink()
-    {
-        using var folder = new TemporaryFolder();
-        string real = folder.File("real.json"), link = folder.File("link.json");
-        File.WriteAllText(real, "old");
-        File.CreateSymbolicLink(link, real);
-        Assert.That(CommandLine.Run(["calibrate", "screen", "--size", "3x2", "--out", link, "--corners", .. Corners]).ExitCode, Is.EqualTo(ExitCodes.Done));
-        Assert.That(new FileInfo(link).LinkTarget, Is.EqualTo(real));
-        Assert.That(File.ReadAllText(real), Does.Contain("\"kind\": \"screen\""));
-    }
+        [Test]
+        public void Screen_UnwritableResult_IsRefusedBeforeAnythingIsPrinted()
+        {
+            using var folder = new TemporaryFolder();
+            string file = folder.File("file");
+            File.WriteAllText(file, "kept");
+            CommandLine.AssertRefused("is a file, not a folder", ["calibrate", "screen", "--size", "3x2", "--out", Path.Combine(file, "screen.json"), "--corners", .. Corners]);
+            CommandLine.AssertRefused("this is no name for a file", ["calibrate", "screen", "--size", "3x2", "--out", folder.Path, "--corners", .. Corners]);
+            Assert.That(File.ReadAllText(file), Is.EqualTo("kept"));
+            Assert.That(File.Exists(folder.Path + ".part"), Is.False);
+        }
 
-    [TestCase("\"screen_m\": [", "\"screen_m\": [NaN,", "screen_m must be 2 numbers")]
-    [TestCase("\"kind\": \"screen\"", "\"kind\": \"stereo\"", "field kind is \"stereo\"")]
-    [TestCase("\"H\": [", "\"H\": [[0,0,0],", "field H must be three rows")]
-    public void Verify_ChangedCalibration_IsRefused(string old, string changed, string words)
-    {
-        using var folder = new TemporaryFolder();
-        string file = folder.File("screen.json"), points = folder.File("points.json");
-        CommandLine.Run(["calibrate", "screen", "--size", "3x2", "--out", file, "--corners", .. Corners]);
-        File.WriteAllText(points, "{\"image_px\":[[1,2]],\"screen_m\":[[1,2]]}");
-        string text = File.ReadAllText(file);
-        Assert.That(text, Does.Contain(old));
-        File.WriteAllText(file, text.Replace(old, changed));
-        CommandLine.AssertRefused(words, "calibrate", "verify", file, "--points", points);
-    }
+        [Test]
+        public void Screen_LinkAsResult_StaysALink()
+        {
+            using var folder = new TemporaryFolder();
+            string real = folder.File("real.json"), link = folder.File("link.json");
+            File.WriteAllText(real, "old");
+            File.CreateSymbolicLink(link, real);
+            Assert.That(CommandLine.Run(["calibrate", "screen", "--size", "3x2", "--out", link, "--corners", .. Corners]).ExitCode, Is.EqualTo(ExitCodes.Done));
+            Assert.That(new FileInfo(link).LinkTarget, Is.EqualTo(real));
+            Assert.That(File.ReadAllText(real), Does.Contain("\"kind\": \"screen\""));
+        }
 
-    [Test]
-    public void Verify_ScreenThatReachesBeyondTheHorizon_IsRefused()
-    {
-        using var folder = new TemporaryFolder();
-        string file = folder.File("screen.json"), points = folder.File("points.json");
-        File.WriteAllText(points, "{\"image_px\":[[1,2]],\"screen_m\":[[1,2]]}");
-        File.WriteAllText(file, "{\"v\":1,\"kind\":\"screen\",\"image_size\":[1280,720],\"screen_m\":[3,2],\"H\":[[1,0,0],[0,1,0],[1,0,-1.5]]}");
-        CommandLine.AssertRefused("field H gives no screen", "calibrate", "verify", file, "--points", points);
+        [TestCase("\"screen_m\": [", "\"screen_m\": [NaN,", "screen_m must be 2 numbers")]
+        [TestCase("\"kind\": \"screen\"", "\"kind\": \"stereo\"", "field kind is \"stereo\"")]
+        [TestCase("\"H\": [", "\"H\": [[0,0,0],", "field H must be three rows")]
+        public void Verify_ChangedCalibration_IsRefused(string old, string changed, string words)
+        {
+            using var folder = new TemporaryFolder();
+            string file = folder.File("screen.json"), points = folder.File("points.json");
+            CommandLine.Run(["calibrate", "screen", "--size", "3x2", "--out", file, "--corners", .. Corners]);
+            File.WriteAllText(points, "{\"image_px\":[[1,2]],\"screen_m\":[[1,2]]}");
+            string text = File.ReadAllText(file);
+            Assert.That(text, Does.Contain(old));
+            File.WriteAllText(file, text.Replace(old, changed));
+            CommandLine.AssertRefused(words, "calibrate", "verify", file, "--points", points);
+        }
+
+        [Test]
+        public void Verify_ScreenThatReachesBeyondTheHorizon_IsRefused()
+        {
+            using var folder = new TemporaryFolder();
+            string file = folder.File("screen.json"), points = folder.File("points.json");
+            File.WriteAllText(points, "{\"image_px\":[[1,2]],\"screen_m\":[[1,2]]}");
+            File.WriteAllText(file, "{\"v\":1,\"kind\":\"screen\",\"image_size\":[1280,720],\"screen_m\":[3,2],\"H\":[[1,0,0],[0,1,0],[1,0,-1.5]]}");
+            CommandLine.AssertRefused("field H gives no screen", "calibrate", "verify", file, "--points", points);
+        }
     }
 }

@@ -8,33 +8,34 @@ using System.Text.RegularExpressions;
 using LaserTracking.Host.Scenes;
 using NUnit.Framework;
 
-namespace LaserTracking.Scenes;
-
-/// <summary>What the headless reader believes of the package's components against the components' files.</summary>
-public sealed class ProductScriptsTests
+namespace LaserTracking.Scenes
 {
-    private static readonly IEnumerable<string> Classes = ProductScripts.FieldsByClass.Keys;
-
-    [TestCaseSource(nameof(Classes))]
-    public void ProductScripts_Guid_IsTheOneDerivedFromThePath(string name)
+    /// <summary>What the headless reader believes of the package's components against the components' files.</summary>
+    public sealed class ProductScriptsTests
     {
-        string seed = "com.range.lasertracking:" + Relative(name);
-        string guid = Convert.ToHexString(MD5.HashData(Encoding.UTF8.GetBytes(seed))).ToLowerInvariant();
-        Assert.That(ProductScripts.ClassByGuid[guid], Is.EqualTo(name));
-    }
+        private static readonly IEnumerable<string> Classes = ProductScripts.FieldsByClass.Keys;
 
-    [TestCaseSource(nameof(Classes))]
-    public void ProductScripts_GuidAndFields_AreThoseOfTheComponent(string name)
-    {
-        string script = Path.Combine(TestFiles.Repository, Relative(name));
-        if (!File.Exists(script))
-            Assert.Ignore("the Unity layer is not there yet: " + Relative(name));
-        string guid = Regex.Match(File.ReadAllText(script + ".meta"), "^guid: ([0-9a-f]{32})$", RegexOptions.Multiline).Groups[1].Value;
-        Assert.That(ProductScripts.ClassByGuid.GetValueOrDefault(guid), Is.EqualTo(name));
-        IEnumerable<string> fields = Regex.Matches(File.ReadAllText(script),
-            @"\[SerializeField\](?:\s*\[(?:""[^""]*""|[^\]""])*\])*\s*private\s[^;=]*?\s(_\w+)\s*[=;]").Select(match => match.Groups[1].Value);
-        Assert.That(fields, Is.EquivalentTo(ProductScripts.FieldsByClass[name].Concat(ProductScripts.EventsByClass.GetValueOrDefault(name, Array.Empty<string>()))));
-    }
+        [TestCaseSource(nameof(Classes))]
+        public void ProductScripts_Guid_IsTheOneDerivedFromThePath(string name)
+        {
+            string seed = "com.range.lasertracking:" + Relative(name);
+            string guid = Convert.ToHexString(MD5.HashData(Encoding.UTF8.GetBytes(seed))).ToLowerInvariant();
+            Assert.That(ProductScripts.ClassByGuid[guid], Is.EqualTo(name));
+        }
 
-    private static string Relative(string name) => "Packages/com.range.lasertracking/Runtime/Unity/" + name + ".cs";
+        [TestCaseSource(nameof(Classes))]
+        public void ProductScripts_GuidAndFields_AreThoseOfTheComponent(string name)
+        {
+            string script = Path.Combine(TestFiles.Repository, Relative(name));
+            if (!File.Exists(script))
+                Assert.Ignore("the Unity layer is not there yet: " + Relative(name));
+            string guid = Regex.Match(File.ReadAllText(script + ".meta"), "^guid: ([0-9a-f]{32})$", RegexOptions.Multiline).Groups[1].Value;
+            Assert.That(ProductScripts.ClassByGuid.GetValueOrDefault(guid), Is.EqualTo(name));
+            IEnumerable<string> fields = Regex.Matches(File.ReadAllText(script),
+                @"\[SerializeField\](?:\s*\[(?:""[^""]*""|[^\]""])*\])*\s*private\s[^;=]*?\s(_\w+)\s*[=;]").Select(match => match.Groups[1].Value);
+            Assert.That(fields, Is.EquivalentTo(ProductScripts.FieldsByClass[name].Concat(ProductScripts.EventsByClass.GetValueOrDefault(name, Array.Empty<string>()))));
+        }
+
+        private static string Relative(string name) => "Packages/com.range.lasertracking/Runtime/Unity/" + name + ".cs";
+    }
 }

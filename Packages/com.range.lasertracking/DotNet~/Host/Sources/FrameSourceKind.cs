@@ -1,9 +1,10 @@
-namespace LaserTracking.Host.Sources;
-
-/// <summary>The kinds of input that frames are read from.</summary>
-public enum FrameSourceKind
+namespace LaserTracking.Host.Sources
 {
-    AzureKinectRecording,
-    Video,
-    ImageFolder,
+    /// <summary>The kinds of input that frames are read from.</summary>
+    public enum FrameSourceKind
+    {
+        AzureKinectRecording,
+        Video,
+        ImageFolder,
+    }
 }

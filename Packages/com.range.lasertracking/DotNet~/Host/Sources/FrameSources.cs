@@ -2,70 +2,71 @@ using System;
 using System.IO;
 using LaserTracking.Capture;
 
-namespace LaserTracking.Host.Sources;
-
-/// <summary>Opens whatever a user names as input, judged by its content and not by its name.</summary>
-public static class FrameSources
+namespace LaserTracking.Host.Sources
 {
-    /// <summary>What kind of input this is.</summary>
-    /// <exception cref="InputException">It does not exist, is empty or cannot be read.</exception>
-    public static FrameSourceKind Detect(string path)
+    /// <summary>Opens whatever a user names as input, judged by its content and not by its name.</summary>
+    public static class FrameSources
     {
-        if (Directory.Exists(path))
-            return FrameSourceKind.ImageFolder;
-        if (!File.Exists(path))
-            throw new InputException(path.Length == 0 ? "\"\"" : path, "does not exist", "check the path");
-        try
+        /// <summary>What kind of input this is.</summary>
+        /// <exception cref="InputException">It does not exist, is empty or cannot be read.</exception>
+        public static FrameSourceKind Detect(string path)
         {
-            using FileStream file = File.OpenRead(path);
-            if (file.Length == 0)
-                throw new InputException(path, "is empty (0 bytes)", "record or copy it again");
-            Span<byte> head = stackalloc byte[4];
-            bool isMatroska = file.ReadAtLeast(head, 4, throwOnEndOfStream: false) == 4 && head.SequenceEqual(EbmlHead);
-            return isMatroska && MentionsAzureKinect(file) ? FrameSourceKind.AzureKinectRecording : FrameSourceKind.Video;
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new InputException(path, "cannot be read (" + exception.Message.ReplaceLineEndings(" ") + ")", "check its permissions");
-        }
-    }
-
-    /// <summary>Opens a recording, a video or a folder of pictures.</summary>
-    /// <param name="path">As the user gave it.</param>
-    /// <param name="openRecording">Opens an Azure Kinect recording; null treats it as a plain video.</param>
-    /// <param name="framesPerSecond">Spacing of pictures in a folder without times.</param>
-    /// <exception cref="InputException">The input cannot be used at all.</exception>
-    public static IFrameSource Open(string path, Func<string, IFrameSource>? openRecording, double framesPerSecond = 30)
-    {
-        switch (Detect(path))
-        {
-            case FrameSourceKind.ImageFolder:
-                return new ImageFolderSource(path, framesPerSecond);
-            case FrameSourceKind.AzureKinectRecording when openRecording != null:
-                return openRecording(path);
-            default:
-                return new VideoSource(path);
-        }
-    }
-
-    private static ReadOnlySpan<byte> EbmlHead => [0x1A, 0x45, 0xDF, 0xA3];
-
-    /// <summary>
-    /// Its own recorder names itself in the head ("k4arecord…"), and every recording has tags that begin with "K4A_", also after
-    /// other programs have copied it. They lie in front of the clusters, or at the file's end when another program moved them.
-    /// </summary>
-    private static bool MentionsAzureKinect(FileStream file)
-    {
-        const int span = 256 * 1024;
-        byte[] buffer = new byte[(int)Math.Min(span, file.Length)];
-        foreach (long position in new[] { 0, file.Length - buffer.Length })
-        {
-            file.Position = position;
-            ReadOnlySpan<byte> bytes = buffer.AsSpan(0, file.ReadAtLeast(buffer, buffer.Length, throwOnEndOfStream: false));
-            if (bytes.IndexOf("k4arecord"u8) >= 0 || bytes.IndexOf("K4A_"u8) >= 0)
-                return true;
+            if (Directory.Exists(path))
+                return FrameSourceKind.ImageFolder;
+            if (!File.Exists(path))
+                throw new InputException(path.Length == 0 ? "\"\"" : path, "does not exist", "check the path");
+            try
+            {
+                using FileStream file = File.OpenRead(path);
+                if (file.Length == 0)
+                    throw new InputException(path, "is empty (0 bytes)", "record or copy it again");
+                Span<byte> head = stackalloc byte[4];
+                bool isMatroska = file.ReadAtLeast(head, 4, throwOnEndOfStream: false) == 4 && head.SequenceEqual(EbmlHead);
+                return isMatroska && MentionsAzureKinect(file) ? FrameSourceKind.AzureKinectRecording : FrameSourceKind.Video;
+            }
+            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+            {
+                throw new InputException(path, "cannot be read (" + exception.Message.ReplaceLineEndings(" ") + ")", "check its permissions");
+            }
         }
 
-        return false;
+        /// <summary>Opens a recording, a video or a folder of pictures.</summary>
+        /// <param name="path">As the user gave it.</param>
+        /// <param name="openRecording">Opens an Azure Kinect recording; null treats it as a plain video.</param>
+        /// <param name="framesPerSecond">Spacing of pictures in a folder without times.</param>
+        /// <exception cref="InputException">The input cannot be used at all.</exception>
+        public static IFrameSource Open(string path, Func<string, IFrameSource>? openRecording, double framesPerSecond = 30)
+        {
+            switch (Detect(path))
+            {
+                case FrameSourceKind.ImageFolder:
+                    return new ImageFolderSource(path, framesPerSecond);
+                case FrameSourceKind.AzureKinectRecording when openRecording != null:
+                    return openRecording(path);
+                default:
+                    return new VideoSource(path);
+            }
+        }
+
+        private static ReadOnlySpan<byte> EbmlHead => [0x1A, 0x45, 0xDF, 0xA3];
+
+        /// <summary>
+        /// Its own recorder names itself in the head ("k4arecord…"), and every recording has tags that begin with "K4A_", also after
+        /// other programs have copied it. They lie in front of the clusters, or at the file's end when another program moved them.
+        /// </summary>
+        private static bool MentionsAzureKinect(FileStream file)
+        {
+            const int span = 256 * 1024;
+            byte[] buffer = new byte[(int)Math.Min(span, file.Length)];
+            foreach (long position in new[] { 0, file.Length - buffer.Length })
+            {
+                file.Position = position;
+                ReadOnlySpan<byte> bytes = buffer.AsSpan(0, file.ReadAtLeast(buffer, buffer.Length, throwOnEndOfStream: false));
+                if (bytes.IndexOf("k4arecord"u8) >= 0 || bytes.IndexOf("K4A_"u8) >= 0)
+                    return true;
+            }
+
+            return false;
+        }
     }
 }
