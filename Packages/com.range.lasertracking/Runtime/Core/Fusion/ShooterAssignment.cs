@@ -7,8 +7,8 @@ using LaserTracking.Tracking;
 namespace LaserTracking.Fusion
 {
     /// <summary>
-    /// Gives shots to hands. Shots of one frame are assigned together at minimal total cost −log(likelihood × prior), each to one
-    /// hand or to nobody; the probability is a softmax over the same hypotheses, less what other shots of the frame already claim.
+    /// Gives shots to people, or to hands whose person is unknown. Shots of one frame are assigned together at minimal total cost
+    /// −log(likelihood × prior), each to one of them or to nobody; the probability is a softmax over the same hypotheses, less what other shots of the frame already claim.
     /// Stateful, bounded, without allocation, deterministic; one thread at a time.
     /// </summary>
     public sealed class ShooterAssignment

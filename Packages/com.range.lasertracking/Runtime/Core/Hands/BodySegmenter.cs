@@ -283,6 +283,7 @@ namespace LaserTracking.Hands
             ref ArmPart a = ref Arms[k];
             ref readonly ArmPart b = ref Arms[i];
             int first = _used;
+            // One arm seen in two pieces is no larger than half of what two arms may be; more are neighbours' that cross.
             if (first + a.Count + b.Count > _cells.Length || a.AreaMm2 + b.AreaMm2 > 0.5 * _settings.MaxArmAreaMm2)
                 return;
             Array.Copy(_cells, a.First, _cells, first, a.Count);
