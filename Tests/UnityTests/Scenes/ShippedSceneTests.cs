@@ -4,15 +4,12 @@ using System.IO;
 using System.Linq;
 using LaserTracking.Capture;
 using LaserTracking.Detection;
-using LaserTracking.Fusion;
 using LaserTracking.Geometry;
-using LaserTracking.Hands;
 using LaserTracking.Host.Scenes;
 using LaserTracking.Pipeline;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
 using LaserTracking.Simulation;
-using LaserTracking.Tracking;
 using NUnit.Framework;
 using UnityEngine;
 using UnityStandIn;
@@ -157,10 +154,9 @@ namespace LaserTracking.Unity
 
         private static List<ShotEvent> HeadlessShots(SimulatedRange range)
         {
-            HandCamera camera = range.Calibration.HandCamera!;
             var sink = new ShotQueue(new GameObject("headless"));
             var settings = new PipelineSettings { SceneTimeZeroUs = range.Truth.ColorClockUs(0) };
-            var pipeline = new RangePipeline(new ShotDetector(), new ShotTracker(), range.Calibration, new DepthHandTracker(camera.Intrinsics), new ShooterAssignment(camera), new ShotScorer(range.Scene), sink, settings);
+            var pipeline = RangePipeline.CreateDefault(new ShotDetector(), range.Calibration, true, new ShotScorer(range.Scene), sink, settings);
             using (IFrameSource color = range.CreateColorSource(), depth = range.CreateDepthSource())
             using (var runner = new SessionRunner(pipeline, color, depth, range.Truth.ColorClockUs(0) - range.Truth.DepthClockUs(0)))
                 runner.Run(System.Threading.CancellationToken.None);

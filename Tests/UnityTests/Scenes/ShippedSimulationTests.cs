@@ -5,15 +5,12 @@ using System.Linq;
 using System.Threading;
 using LaserTracking.Capture;
 using LaserTracking.Detection;
-using LaserTracking.Fusion;
 using LaserTracking.Geometry;
-using LaserTracking.Hands;
 using LaserTracking.Host.Scenes;
 using LaserTracking.Pipeline;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
 using LaserTracking.Simulation;
-using LaserTracking.Tracking;
 using NUnit.Framework;
 using UnityEngine;
 using UnityStandIn;
@@ -103,10 +100,9 @@ namespace LaserTracking.Unity
             SimulationScenario scenario = SimulationScenarioFile.Read(Path.Combine(TestFiles.Repository, "Assets", "Sources", "demo.scenario.json"));
             var range = new SimulatedRange(scenario, UnitySceneReader.Read(Scene));
             truth = range.Truth;
-            HandCamera camera = range.Calibration.HandCamera!;
             var sink = new ShotQueue(new GameObject("headless"));
             long zeroUs = range.Truth.ColorClockUs(0);
-            var pipeline = new RangePipeline(new ShotDetector(), new ShotTracker(), range.Calibration, new DepthHandTracker(camera.Intrinsics), new ShooterAssignment(camera), new ShotScorer(range.Scene), sink, new PipelineSettings { SceneTimeZeroUs = zeroUs });
+            var pipeline = RangePipeline.CreateDefault(new ShotDetector(), range.Calibration, true, new ShotScorer(range.Scene), sink, new PipelineSettings { SceneTimeZeroUs = zeroUs });
             using (var stop = new CancellationTokenSource())
             using (IFrameSource color = new PrefetchingFrameSource(range.CreateColorSource()), depth = new PrefetchingFrameSource(range.CreateDepthSource()))
             using (var runner = new SessionRunner(pipeline, color, depth, zeroUs - range.Truth.DepthClockUs(0)))

@@ -1,13 +1,10 @@
 using System;
 using LaserTracking.Capture;
 using LaserTracking.Detection;
-using LaserTracking.Fusion;
 using LaserTracking.Geometry;
-using LaserTracking.Hands;
 using LaserTracking.Pipeline;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
-using LaserTracking.Tracking;
 using UnityEngine;
 using UnityEngine.Events;
 
@@ -108,7 +105,7 @@ namespace LaserTracking.Unity
                 long handClockOffsetUs = handSource == null ? 0 : _handSource == null ? _source.HandClockOffsetUs : _handSource.ClockOffsetUs;
                 _shots = new ShotQueue(this);
                 var settings = new PipelineSettings { SceneTimeZeroUs = _source.SceneTimeZeroUs };
-                RangePipeline pipeline = BuildPipeline(calibration, handSource == null ? null : calibration!.HandCamera, _shots, settings);
+                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(), calibration, handSource != null, BuildScorer(), _shots, settings);
                 pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
                 _pump = new FramePump(pipeline, source, handSource, handClockOffsetUs, _source.SceneTimeZeroUs, _source.LatencyS);
             }
@@ -119,16 +116,6 @@ namespace LaserTracking.Unity
                 Debug.LogError(problem.Message, this);
             }
         }
-
-        private RangePipeline BuildPipeline(RangeCalibration? calibration, HandCamera? handCamera, IEventSink sink, PipelineSettings settings) => new RangePipeline(
-            new ShotDetector(),
-            new ShotTracker(),
-            calibration,
-            handCamera == null ? null : new DepthHandTracker(handCamera.Intrinsics),
-            handCamera == null ? null : new ShooterAssignment(handCamera),
-            BuildScorer(),
-            sink,
-            settings);
 
         private ShotScorer? BuildScorer()
         {

@@ -94,9 +94,7 @@ namespace LaserTracking.Host.Benchmarks
             SimulatedRange range = FrameLoop.Range(1280, 720, PixelFormat.Nv12, 2, 20, 4);
             var screenFrames = new FrameLoop(range.CreateColorSource(), LoopFrames);
             var handFrames = new FrameLoop(range.CreateDepthSource(), LoopFrames);
-            HandCamera camera = range.Calibration.HandCamera!;
-            var pipeline = new RangePipeline(new ShotDetector(), new ShotTracker(), range.Calibration, new DepthHandTracker(camera),
-                new ShooterAssignment(camera), new ShotScorer(range.Scene), new JsonLinesSink(Stream.Null));
+            var pipeline = RangePipeline.CreateDefault(new ShotDetector(), range.Calibration, true, new ShotScorer(range.Scene), new JsonLinesSink(Stream.Null));
             pipeline.Begin(new SessionHeader("bench", Array.Empty<SessionInput>(), null, "shots", null));
             return number =>
             {

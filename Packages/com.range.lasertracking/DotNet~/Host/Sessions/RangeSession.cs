@@ -4,14 +4,10 @@ using System.Reflection;
 using System.Threading;
 using LaserTracking.Capture;
 using LaserTracking.Detection;
-using LaserTracking.Fusion;
-using LaserTracking.Geometry;
-using LaserTracking.Hands;
 using LaserTracking.Host.Terminal;
 using LaserTracking.Pipeline;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
-using LaserTracking.Tracking;
 
 namespace LaserTracking.Host.Sessions
 {
@@ -31,18 +27,15 @@ namespace LaserTracking.Host.Sessions
         /// <summary>True when the end was reached, false when it was interrupted; the sink's session is ended in both cases.</summary>
         public static bool Run(SessionPlan plan, IEventSink sink, CancellationToken interrupted)
         {
-            HandCamera? handCamera = plan.HandCamera == null ? null : plan.Calibration?.HandCamera;
-            var pipeline = new RangePipeline(
+            var pipeline = RangePipeline.CreateDefault(
                 CreateDetector(plan.Detector),
-                new ShotTracker(),
                 plan.Calibration,
-                handCamera == null ? null : new DepthHandTracker(handCamera),
-                handCamera == null ? null : new ShooterAssignment(handCamera, FusionFor(plan.Calibration!)),
+                plan.HandCamera != null,
                 plan.Scene == null ? null : new ShotScorer(plan.Scene),
                 sink,
                 new PipelineSettings { SceneTimeZeroUs = plan.SceneTimeZeroUs });
             pipeline.Begin(new SessionHeader(Version, plan.Inputs, plan.CalibrationName, plan.Detector, plan.Seed));
-            ReportOtherSizes(pipeline, plan, handCamera);
+            ReportOtherSizes(pipeline, plan);
 
             var watch = Stopwatch.StartNew();
             using var progress = new ProgressLine();
@@ -54,14 +47,14 @@ namespace LaserTracking.Host.Sessions
                 progress.Show(ProgressText(frame, plan.ScreenCamera.Info, watch));
             };
             bool isComplete = runner.Run(interrupted);
-            if (isComplete && handCamera != null && !runner.HasHandsInTime)
+            if (isComplete && plan.HandCamera != null && !runner.HasHandsInTime)
                 pipeline.ReportInputProblem(new FrameProblem(-1, "no frame of the second camera lies in the time of the first: nobody can be named; give the clocks' difference with --hand-offset-us"));
             pipeline.End(watch.Elapsed.TotalSeconds);
             return isComplete;
         }
 
         /// <summary>A calibration made with pictures of another size maps to wrong places without anything else showing it.</summary>
-        private static void ReportOtherSizes(RangePipeline pipeline, SessionPlan plan, HandCamera? handCamera)
+        private static void ReportOtherSizes(RangePipeline pipeline, SessionPlan plan)
         {
             void Check(string camera, int width, int height, IFrameSource source)
             {
@@ -71,12 +64,9 @@ namespace LaserTracking.Host.Sessions
 
             if (plan.Calibration is { } calibration)
                 Check("screen", calibration.ImageWidth, calibration.ImageHeight, plan.ScreenCamera);
-            if (handCamera != null)
-                Check("hand camera", handCamera.Intrinsics.Width, handCamera.Intrinsics.Height, plan.HandCamera!);
+            if (plan.HandCamera != null && plan.Calibration?.HandCamera is { } hand)
+                Check("hand camera", hand.Intrinsics.Width, hand.Intrinsics.Height, plan.HandCamera);
         }
-
-        private static FusionSettings FusionFor(RangeCalibration calibration) =>
-            new() { ScreenAreaM2 = calibration.Screen.ScreenSizeM.X * calibration.Screen.ScreenSizeM.Y };
 
         private static string ProgressText(Frame frame, FrameSourceInfo info, Stopwatch watch)
         {

@@ -62,6 +62,23 @@ namespace LaserTracking.Pipeline
                 detector.SetScreenPolygon(calibration.Screen.CornersPx);
         }
 
+        /// <summary>The pipeline as live, replay and simulation use it: every step with its defaults, hands and shooters where camera 1 is there.</summary>
+        /// <param name="detector">Finds the dots.</param>
+        /// <param name="calibration">Null: shots have pixels only.</param>
+        /// <param name="hasHandCamera">Frames of camera 1 will come; used when the calibration knows where it stands.</param>
+        /// <param name="scorer">What was hit; null: nothing is scored.</param>
+        /// <param name="sink">Receives all events.</param>
+        /// <param name="settings">Defaults when absent.</param>
+        public static RangePipeline CreateDefault(IShotDetector detector, RangeCalibration? calibration, bool hasHandCamera, ShotScorer? scorer,
+            IEventSink sink, PipelineSettings? settings = null)
+        {
+            if (!hasHandCamera || calibration == null || !(calibration.HandCamera is HandCamera camera))
+                return new RangePipeline(detector, new ShotTracker(), calibration, null, null, scorer, sink, settings);
+            Vector2D sizeM = calibration.Screen.ScreenSizeM;
+            var fusion = new ShooterAssignment(camera, new FusionSettings { ScreenAreaM2 = sizeM.X * sizeM.Y });
+            return new RangePipeline(detector, new ShotTracker(), calibration, new DepthHandTracker(camera), fusion, scorer, sink, settings);
+        }
+
         /// <summary>Starts a session; once, before the first frame.</summary>
         public void Begin(SessionHeader header) => _sink.Begin(header);
 

@@ -6,14 +6,10 @@ using System.Text;
 using System.Threading;
 using LaserTracking.Capture;
 using LaserTracking.Detection;
-using LaserTracking.Fusion;
-using LaserTracking.Geometry;
-using LaserTracking.Hands;
 using LaserTracking.Imaging;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
 using LaserTracking.Simulation;
-using LaserTracking.Tracking;
 using NUnit.Framework;
 
 namespace LaserTracking.Pipeline
@@ -159,9 +155,7 @@ namespace LaserTracking.Pipeline
 
         private static RangePipeline Create(SimulatedRange range, IEventSink sink)
         {
-            HandCamera camera = range.Calibration.HandCamera!;
-            return new RangePipeline(new ShotDetector(), new ShotTracker(), range.Calibration, new DepthHandTracker(camera.Intrinsics),
-                new ShooterAssignment(camera), new ShotScorer(range.Scene), sink,
+            return RangePipeline.CreateDefault(new ShotDetector(), range.Calibration, true, new ShotScorer(range.Scene), sink,
                 new PipelineSettings { SceneTimeZeroUs = range.Truth.ColorClockUs(0) });
         }
 
