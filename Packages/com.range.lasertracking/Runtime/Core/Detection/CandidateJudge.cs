@@ -116,7 +116,10 @@ namespace LaserTracking.Detection
             double maxMotion = isFaint ? _settings.MaxFaintMotionShare : IsExemplary(candidate, elongation) ? _settings.MaxExemplaryMotionShare : _settings.MaxMotionShare;
             if (Fails(ref candidate, candidate.MotionShare > maxMotion, RejectionReason.MovingSurroundings, candidate.MotionShare, maxMotion))
                 return;
-            bool isSuspect = candidate.MayBeContent && candidate.ActivityAround > _settings.QuietActivity;
+
+            // What comes out of nowhere may be the corner of a target, rim and all, unless it is a dot as dots should be.
+            bool isSuspect = candidate.MayBeContent
+                && (candidate.ActivityAround > _settings.QuietActivity || (IsContentKnown && !IsExemplary(candidate, elongation)));
             candidate.IsConclusive = isProvenByLevel || !isSuspect && !isFaint && !isBlunt && candidate.RingShare <= _settings.ConclusiveRingShare
                 && candidate.RingLevel <= _settings.ConclusiveRingLevel && candidate.MotionShare <= _settings.ConclusiveMotionShare
                 && elongation <= _settings.ConclusiveElongation;
@@ -144,7 +147,7 @@ namespace LaserTracking.Detection
             double elongation = candidate.LongSigma / candidate.ShortSigma;
 
             // A resting dot trembles: only where nothing near was as bright in the frame before has light begun.
-            double before = SurroundingsMeasurer.ExcessBefore(view, candidate) / (double)excess;
+            double before = SurroundingsMeasurer.ExcessBefore(view, candidate);
             candidate.IsOnset = before < 0.5;
             SurroundingsMeasurer.ColorRise(view, ref candidate);
             if (memory.TryFind(candidate, out known))

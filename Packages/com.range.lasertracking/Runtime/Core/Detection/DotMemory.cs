@@ -107,7 +107,7 @@ namespace LaserTracking.Detection
             for (int i = 0; i < _lastCount; i++)
             {
                 RememberedDot dot = _last[i];
-                if (dot.IsContinued || !dot.MayBeContent)
+                if (!dot.MayBeContent || IsFoundAgain(dot))
                     continue;
                 int risen = 0, threshold = Math.Max(1, (dot.PeakRelativeRise + 1) / 2);
                 for (int y = Math.Max(0, dot.Top); y <= Math.Min(view.Height - 1, dot.Bottom); y++)
@@ -122,6 +122,18 @@ namespace LaserTracking.Detection
                 if (2 * risen >= dot.Area)
                     detections.Reject(new RejectedCandidate { PositionPx = dot.PositionPx, Reason = RejectionReason.NotConfirmed, Value = risen / (double)dot.Area, Limit = 0.5 });
             }
+        }
+
+        private bool IsFoundAgain(in RememberedDot dot)
+        {
+            for (int i = 0; i < _nowCount; i++)
+            {
+                double x = 0.5 * (_now[i].Left + _now[i].Right), y = 0.5 * (_now[i].Top + _now[i].Bottom);
+                if (x >= dot.Left && x <= dot.Right && y >= dot.Top && y <= dot.Bottom)
+                    return true;
+            }
+
+            return false;
         }
 
         /// <summary>Gives the places of this frame's dots their background of before back, and makes this frame the last one.</summary>

@@ -94,17 +94,20 @@ namespace LaserTracking.Detection
             return count == 0 ? 0 : (double)bright / count;
         }
 
-        /// <summary>Levels by which the box and three pixels around it exceeded the projected picture in the frame before; may be negative.</summary>
-        public static int ExcessBefore(in FrameView view, in Candidate candidate)
+        /// <summary>Pixels in the box and three around it that were as bright in the frame before, through the area: 1 for a dot that rests.</summary>
+        public static double ExcessBefore(in FrameView view, in Candidate candidate)
         {
-            int peak = 0;
+            int threshold = BlobMeasurer.ExcessThreshold(view, candidate), bright = 0;
             for (int y = Math.Max(0, candidate.Top - 3); y <= Math.Min(view.Height - 1, candidate.Bottom + 3); y++)
             {
                 for (int x = Math.Max(0, candidate.Left - 3); x <= Math.Min(view.Width - 1, candidate.Right + 3); x++)
-                    peak = Math.Max(peak, FrameView.Level(view.Before[y * view.Width + x], candidate.Plane));
+                {
+                    if (FrameView.Level(view.Before[y * view.Width + x], candidate.Plane) >= threshold)
+                        bright++;
+                }
             }
 
-            return peak - candidate.ContentLevel;
+            return bright / (double)candidate.Area;
         }
 
         /// <summary>The brightest pixel of the box.</summary>
