@@ -117,9 +117,10 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.MotionShare > maxMotion, RejectionReason.MovingSurroundings, candidate.MotionShare, maxMotion))
                 return;
 
-            // What comes out of nowhere may be the corner of a target, rim and all, unless it is a dot as dots should be.
+            // What comes out of nowhere may be the corner of a target, rim and all, unless it is a dot as dots should be, or round and vivid.
+            bool isRoundAndVivid = candidate.Vividness >= _settings.VividFreshness && elongation <= _settings.MaxBluntElongation;
             bool isSuspect = candidate.MayBeContent
-                && (candidate.ActivityAround > _settings.QuietActivity || (IsContentKnown && !IsExemplary(candidate, elongation)));
+                && (candidate.ActivityAround > _settings.QuietActivity || (IsContentKnown && !isRoundAndVivid && !IsExemplary(candidate, elongation)));
             candidate.IsConclusive = isProvenByLevel || !isSuspect && !isFaint && !isBlunt && candidate.RingShare <= _settings.ConclusiveRingShare
                 && candidate.RingLevel <= _settings.ConclusiveRingLevel && candidate.MotionShare <= _settings.ConclusiveMotionShare
                 && elongation <= _settings.ConclusiveElongation;
