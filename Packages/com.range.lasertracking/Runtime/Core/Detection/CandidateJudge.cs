@@ -119,8 +119,8 @@ namespace LaserTracking.Detection
 
             // What comes out of nowhere may be the corner of a target, rim and all, unless it is a dot as dots should be, or round and vivid.
             bool isRoundAndVivid = candidate.Vividness >= _settings.VividFreshness && elongation <= _settings.MaxBluntElongation;
-            bool isSuspect = candidate.MayBeContent
-                && (candidate.ActivityAround > _settings.QuietActivity || (IsContentKnown && !isRoundAndVivid && !IsExemplary(candidate, elongation)));
+            bool isLively = candidate.ActivityAround > _settings.QuietActivity;
+            bool isSuspect = candidate.MayBeContent && ((isLively && IsContentKnown) || (!isRoundAndVivid && !IsExemplary(candidate, elongation)));
             candidate.IsConclusive = isProvenByLevel || !isSuspect && !isFaint && !isBlunt && candidate.RingShare <= _settings.ConclusiveRingShare
                 && candidate.RingLevel <= _settings.ConclusiveRingLevel && candidate.MotionShare <= _settings.ConclusiveMotionShare
                 && elongation <= _settings.ConclusiveElongation;

@@ -220,8 +220,7 @@ namespace LaserTracking.Tracking
                 if (isWaiting && !track.IsSeen && track.LastFrame == _previousFrame)
                 {
                     double trace = NearestRejectedPx(detections, track.LastPx);
-                    bool isInTime = detections.FrameIndex - track.FirstFrame <= _settings.MaxWaitFrames;
-                    if (isInTime && trace > _settings.VanishRadiusPx * scale && detections.ImageWidthPx > 0)
+                    if (trace > _settings.VanishRadiusPx * scale && detections.ImageWidthPx > 0)
                         Report(ref track, detections.FrameIndex);
                     else
                         isWaiting = !Drop(track, detections.FrameIndex - track.FirstFrame);
