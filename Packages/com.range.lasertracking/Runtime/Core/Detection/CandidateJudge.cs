@@ -8,6 +8,9 @@ namespace LaserTracking.Detection
         /// <summary>A long streak through the middle takes two of the eight.</summary>
         private const double MaxSpokeShare = 0.25;
 
+        /// <summary>A faint glow that is brightest nearer to the picture's edge than this, working px, has its source outside.</summary>
+        private const int MinFaintToEdge = 2;
+
         private readonly ShotDetectorSettings _settings;
         private readonly BlobMeasurer _blobs;
 
@@ -60,6 +63,8 @@ namespace LaserTracking.Detection
                 return;
             bool isFaint = isLargest || rise < _settings.ConclusiveRise;
             if (Fails(ref candidate, candidate.Compactness < _settings.MinCompactness, RejectionReason.NotCompact, candidate.Compactness, _settings.MinCompactness))
+                return;
+            if (isFaint && FailsAtEdge(view, ref candidate))
                 return;
             candidate.Strength = candidate.PeakRise * Math.Sqrt(candidate.Area / area);
             double minStrength = isFaint
@@ -145,6 +150,8 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.Area > _settings.MaxAreaPx * area, RejectionReason.TooLarge, candidate.Area / area, _settings.MaxAreaPx)
                 || Fails(ref candidate, candidate.Area < 2, RejectionReason.TooSmall, candidate.Area / area, 2 / area))
                 return;
+            if (excess < ConclusiveExcess && FailsAtEdge(view, ref candidate))
+                return;
             double elongation = candidate.LongSigma / candidate.ShortSigma;
 
             // A resting dot trembles: only where nothing near was as bright in the frame before has light begun.
@@ -163,6 +170,12 @@ namespace LaserTracking.Detection
                 || Fails(ref candidate, candidate.RingShare > _settings.MaxRingShare, RejectionReason.NotIsolated, candidate.RingShare, _settings.MaxRingShare))
                 return;
             candidate.IsConclusive = excess >= ConclusiveExcess && elongation <= _settings.ConclusiveElongation;
+        }
+
+        private static bool FailsAtEdge(in FrameView view, ref Candidate candidate)
+        {
+            int toEdge = Math.Min(Math.Min(candidate.SeedX, view.Width - 1 - candidate.SeedX), Math.Min(candidate.SeedY, view.Height - 1 - candidate.SeedY));
+            return Fails(ref candidate, toEdge < MinFaintToEdge, RejectionReason.CutByEdge, toEdge, MinFaintToEdge);
         }
 
         /// <summary>So much like a dot in itself that only its neighbourhood speaks against it: a bumped camera must not hide it.</summary>

@@ -46,5 +46,8 @@ namespace LaserTracking.Detection
 
         /// <summary>Was there in the frame before already, and no dot. Value: share of its rise that came with this frame.</summary>
         NotNew,
+
+        /// <summary>Faint, and brightest where the picture ends: most of it lies outside. Value: distance to the edge, working px.</summary>
+        CutByEdge,
     }
 }

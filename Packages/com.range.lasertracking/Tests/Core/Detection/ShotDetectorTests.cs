@@ -52,6 +52,17 @@ namespace LaserTracking.Detection
             Assert.That(run.Shots[0].Dot.Color, Is.EqualTo(LaserColor.Green));
         }
 
+        [TestCase(0.0, 0)]
+        [TestCase(40.0, 1)]
+        public void Process_FaintGlow_CountsUnlessItsSourceLiesOutsideThePicture(double x, int shots)
+        {
+            var run = new DetectionRun();
+            run.Play(0, 8, (b, i) => b.Wall(20, 22, 20));
+            run.Play(8, 1, (b, i) => b.Wall(20, 22, 20).RedDot(x, 120, 4, 0.05));
+            run.Play(9, 8, (b, i) => b.Wall(20, 22, 20));
+            Assert.That(run.Shots.Count, Is.EqualTo(shots));
+        }
+
         [Test]
         public void Process_Streak_IsOneShotWithItsVector()
         {
