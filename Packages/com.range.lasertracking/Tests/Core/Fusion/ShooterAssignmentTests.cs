@@ -202,15 +202,13 @@ namespace LaserTracking.Fusion
             var fused = new FusedShot[3];
             SeePeople(0, new[] { Person(1, new Vector3D(1.6, 0.9, -3.2)) }, Hand(4, new Vector3D(1.5, 1.0, -2.5), dot, HandSide.Right));
             _assignment.Fuse(shots, places, fused);
-            long before = GC.GetAllocatedBytesForCurrentThread();
-            for (int i = 0; i < 10; i++)
+            long allocated = Allocation.Of(() =>
             {
                 _assignment.AddHands(_hands);
                 _assignment.Fuse(shots, places, fused);
                 _assignment.Fuse(shots[0], dot);
-            }
-
-            Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
+            });
+            Assert.That(allocated, Is.Zero);
         }
 
         private static Shot Shot(long timeUs, LaserColor color) => new Shot { TimeUs = timeUs, Dot = new Dot { Color = color } };

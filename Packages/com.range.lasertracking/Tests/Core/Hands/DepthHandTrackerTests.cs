@@ -146,14 +146,15 @@ namespace LaserTracking.Hands
             var tracker = new DepthHandTracker(SolidScene.Camera);
             tracker.Process(_frame, _hands);
             tracker.Process(_frame, _hands);
-            long before = GC.GetAllocatedBytesForCurrentThread();
-            for (int i = 0; i < 20; i++)
+            long allocated = Allocation.Of(() =>
             {
-                _frame.Depth.TimeUs += FrameUs;
-                tracker.Process(_frame, _hands);
-            }
-
-            Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
+                for (int i = 0; i < 5; i++)
+                {
+                    _frame.Depth.TimeUs += FrameUs;
+                    tracker.Process(_frame, _hands);
+                }
+            });
+            Assert.That(allocated, Is.Zero);
             Assert.That(_hands.Hands.Length, Is.EqualTo(1));
         }
 

@@ -67,12 +67,10 @@ namespace LaserTracking.Pipeline
             List<Frame> frames = AllFrames(range.CreateColorSource()), hands = AllFrames(range.CreateDepthSource());
             RangePipeline pipeline = Create(range, new JsonLinesSink(Stream.Null));
             pipeline.Begin(Header());
-            const int Rounds = 3;
-            long allocated = 0;
             long lengthUs = frames[frames.Count - 1].TimeUs + 33_333;
-            for (int round = 0; round < Rounds; round++)
+            int round = 0;
+            long allocated = Allocation.Of(() =>
             {
-                long before = GC.GetAllocatedBytesForCurrentThread();
                 for (int i = 0; i < frames.Count; i++)
                 {
                     if (i < hands.Count)
@@ -80,9 +78,8 @@ namespace LaserTracking.Pipeline
                     pipeline.Process(Shifted(frames[i], round, lengthUs));
                 }
 
-                allocated = GC.GetAllocatedBytesForCurrentThread() - before;
-            }
-
+                round++;
+            });
             Assert.That(allocated, Is.EqualTo(0));
         }
 

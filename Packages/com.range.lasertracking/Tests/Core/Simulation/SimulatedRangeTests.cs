@@ -150,12 +150,7 @@ namespace LaserTracking.Simulation
             using var frame = new Frame();
             source.TryRead(frame);
             source.TryRead(frame);
-            long before = GC.GetAllocatedBytesForCurrentThread();
-            while (source.TryRead(frame))
-            {
-            }
-
-            long allocated = GC.GetAllocatedBytesForCurrentThread() - before;
+            long allocated = Allocation.Of(() => source.TryRead(frame));
             source.Dispose();
             return allocated;
         }
