@@ -7,6 +7,7 @@ using LaserTracking.Detection;
 using LaserTracking.Host;
 using LaserTracking.Host.Scoring;
 using LaserTracking.Host.Sessions;
+using LaserTracking.Host.Sources;
 using LaserTracking.Session;
 using Newtonsoft.Json.Linq;
 using NUnit.Framework;
@@ -61,7 +62,7 @@ namespace LaserTracking.Detection
         {
             using var folder = new TemporaryFolder();
             string events = Path.Combine(folder.Path, "events.jsonl");
-            using (IFrameSource source = RecordedInputs.OpenScreenCamera(clip))
+            using (IFrameSource source = FrameSources.OpenScreenCamera(clip))
             using (var file = new FileStream(events, FileMode.Create))
                 RangeSession.Run(new SessionPlan { ScreenCamera = source }, new JsonLinesSink(file, EventTypes.Shots), default);
             return JObject.Parse(EventScorer.Score(events, truth, name))["clips"]![0]!;

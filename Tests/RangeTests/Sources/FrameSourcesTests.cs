@@ -30,7 +30,7 @@ namespace LaserTracking.Sources
             string path = folder.File("plain.mkv");
             FfmpegForTests.Run("-f", "lavfi", "-i", "testsrc2=size=64x48:rate=10:duration=1", "-c:v", "mjpeg", path);
             Assert.That(FrameSources.Detect(path), Is.EqualTo(FrameSourceKind.Video));
-            using IFrameSource source = FrameSources.Open(path, null);
+            using IFrameSource source = FrameSources.OpenScreenCamera(path);
             Assert.That(source, Is.InstanceOf<VideoSource>());
         }
 
@@ -43,7 +43,7 @@ namespace LaserTracking.Sources
             foreach ((string path, string what) in new[]
                 { (folder.File("nowhere.mp4"), "does not exist"), (empty, "is empty"), (folder.Path, "folder without pictures") })
             {
-                InputException exception = Assert.Throws<InputException>(() => FrameSources.Open(path, null).Dispose())!;
+                InputException exception = Assert.Throws<InputException>(() => FrameSources.OpenScreenCamera(path).Dispose())!;
                 Assert.That(exception.Message, Does.StartWith(path + ": ").And.Contain(what).And.Not.Contain("\n"));
             }
         }

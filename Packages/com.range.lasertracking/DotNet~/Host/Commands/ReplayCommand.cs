@@ -7,6 +7,7 @@ using LaserTracking.Capture;
 using LaserTracking.Geometry;
 using LaserTracking.Host.Scenes;
 using LaserTracking.Host.Sessions;
+using LaserTracking.Host.Sources;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
 
@@ -41,8 +42,8 @@ namespace LaserTracking.Host.Commands
                     throw new InputException(sceneName!, "a scene needs the screen's place in the image", "add --calibration FILE");
                 if (handName != null && geometry?.HandCamera == null)
                     throw new InputException(handName, "the second camera's place is not known", "add --calibration FILE with a hand_camera");
-                using IFrameSource screenCamera = new PrefetchingFrameSource(RecordedInputs.OpenScreenCamera(name));
-                using IFrameSource? handCamera = handName == null ? null : new PrefetchingFrameSource(RecordedInputs.OpenHandCamera(handName));
+                using IFrameSource screenCamera = new PrefetchingFrameSource(FrameSources.OpenScreenCamera(name));
+                using IFrameSource? handCamera = handName == null ? null : new PrefetchingFrameSource(FrameSources.OpenHandCamera(handName));
                 var inputs = new List<SessionInput> { InputHash.Of(name) };
                 if (handName != null)
                     inputs.Add(InputHash.Of(handName));

@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using LaserTracking.Capture;
+using LaserTracking.Capture.AzureKinect;
 
 namespace LaserTracking.Host.Sources
 {
@@ -30,23 +31,36 @@ namespace LaserTracking.Host.Sources
             }
         }
 
-        /// <summary>Opens a recording, a video or a folder of pictures.</summary>
-        /// <param name="path">As the user gave it.</param>
-        /// <param name="openRecording">Opens an Azure Kinect recording; null treats it as a plain video.</param>
-        /// <param name="framesPerSecond">Spacing of pictures in a folder without times.</param>
+        /// <summary>Camera 0: colour, and infrared where there is some; from a recording, a video or a folder of pictures.</summary>
         /// <exception cref="InputException">The input cannot be used at all.</exception>
-        public static IFrameSource Open(string path, Func<string, IFrameSource>? openRecording, double framesPerSecond = 30)
+        public static IFrameSource OpenScreenCamera(string path)
         {
             switch (Detect(path))
             {
                 case FrameSourceKind.ImageFolder:
-                    return new ImageFolderSource(path, framesPerSecond);
-                case FrameSourceKind.AzureKinectRecording when openRecording != null:
-                    return openRecording(path);
+                    return new ImageFolderSource(path);
+                case FrameSourceKind.AzureKinectRecording:
+                    return new KinectRecordingSource(KinectRecording.Open(path), KinectStreams.Color | KinectStreams.Infrared);
                 default:
                     return new VideoSource(path);
             }
         }
+
+        /// <summary>Camera 1: the depth of a recording.</summary>
+        /// <exception cref="InputException">It holds no depth, or cannot be used at all.</exception>
+        public static IFrameSource OpenHandCamera(string path)
+        {
+            if (Detect(path) != FrameSourceKind.AzureKinectRecording)
+                throw NoDepth(path);
+            KinectRecording recording = KinectRecording.Open(path);
+            if (recording.DepthTrack != null)
+                return new KinectRecordingSource(recording, KinectStreams.Depth);
+            recording.Dispose();
+            throw NoDepth(path);
+        }
+
+        private static InputException NoDepth(string path) =>
+            new(path, "the second camera's recording holds no depth", "give the recording of the depth camera that sees the trainees");
 
         private static ReadOnlySpan<byte> EbmlHead => [0x1A, 0x45, 0xDF, 0xA3];
 

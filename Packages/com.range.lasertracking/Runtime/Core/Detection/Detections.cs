@@ -57,8 +57,15 @@ namespace LaserTracking.Detection
         /// <summary>Says that this many spots were left unexamined.</summary>
         public void Skip(int count) => OverflowCount += count;
 
+        /// <summary>Notes a candidate that is no dot; the same spot with the same reason (seen in two planes, say) only once.</summary>
         public void Reject(in RejectedCandidate candidate)
         {
+            for (int i = 0; i < _rejectedCount; i++)
+            {
+                if (_rejected[i].Reason == candidate.Reason && _rejected[i].PositionPx.Equals(candidate.PositionPx))
+                    return;
+            }
+
             if (_rejectedCount < _rejected.Length)
                 _rejected[_rejectedCount++] = candidate;
             else

@@ -16,7 +16,7 @@ namespace LaserTracking.Detection
 
         public LaserColor Color;
 
-        /// <summary>Probability that this is a laser, 0…1.</summary>
+        /// <summary>How sure the detector is that this is a laser, 0…1: the sum of the factors, not yet calibrated as a probability.</summary>
         public double Confidence;
 
         public ConfidenceFactors Factors;

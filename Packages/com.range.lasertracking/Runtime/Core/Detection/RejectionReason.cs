@@ -29,9 +29,6 @@ namespace LaserTracking.Detection
         /// <summary>Its surroundings move. Value: share of changing pixels around it.</summary>
         MovingSurroundings,
 
-        /// <summary>The whole picture changed at once (flash, exposure step). Value: share of risen pixels.</summary>
-        GlobalChange,
-
         /// <summary>Its colour is no laser's. Value: the measure of the detector in use.</summary>
         WrongColor,
 

@@ -24,8 +24,5 @@ namespace LaserTracking.Geometry
         /// <summary>The inverse of <see cref="ScreenToSurface"/>.</summary>
         public static Vector3D SurfaceToScreen(Vector3D surfaceM, Vector2D screenSizeM) =>
             new Vector3D(surfaceM.X + screenSizeM.X / 2, screenSizeM.Y / 2 - surfaceM.Y, surfaceM.Z);
-
-        /// <summary>Direction in screen space to one in the surface's local space: F = diag(+1, −1, +1), the published axis flip.</summary>
-        public static Vector3D ScreenToSurfaceDirection(Vector3D screen) => new Vector3D(screen.X, -screen.Y, screen.Z);
     }
 }

@@ -21,15 +21,6 @@ namespace LaserTracking.Geometry
             return inside;
         }
 
-        /// <summary>Twice-signed area halved: positive when the corners run clockwise in a picture (y down).</summary>
-        public static double SignedArea(ReadOnlySpan<Vector2D> corners)
-        {
-            double sum = 0;
-            for (int i = 0, j = corners.Length - 1; i < corners.Length; j = i++)
-                sum += Vector2D.Cross(corners[j], corners[i]);
-            return sum / 2;
-        }
-
         /// <summary>Distance from the point to the nearest edge, inside or outside.</summary>
         public static double DistanceToEdge(ReadOnlySpan<Vector2D> corners, Vector2D point)
         {

@@ -104,17 +104,6 @@ namespace LaserTracking.Imaging
                 pixels[x] = gray[x] * 0x010101u | 0xFF000000u;
         }
 
-        /// <summary>One row of B G R A to R G B as image files want it.</summary>
-        public static void BgraToRgb24(byte* bgra, byte* rgb, int width)
-        {
-            for (int x = 0; x < width; x++, bgra += 4, rgb += 3)
-            {
-                rgb[0] = bgra[2];
-                rgb[1] = bgra[1];
-                rgb[2] = bgra[0];
-            }
-        }
-
         internal static void YuvToBgra(int luma, int u, int v, byte* bgra)
         {
             u -= 128;

@@ -94,7 +94,6 @@ namespace LaserTracking.Session
                 case RejectionReason.NotNew: return "was there before already";
                 case RejectionReason.NotIsolated: return "its surroundings lit up as well";
                 case RejectionReason.MovingSurroundings: return "part of something that moves";
-                case RejectionReason.GlobalChange: return "the whole picture changed at once";
                 case RejectionReason.WrongColor: return "no laser's colour";
                 case RejectionReason.LowConfidence: return "confidence below the limit";
                 case RejectionReason.NotConfirmed: return "doubtful, and it did not vanish like a shot";

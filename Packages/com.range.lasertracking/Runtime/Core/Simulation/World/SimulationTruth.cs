@@ -37,8 +37,6 @@ namespace LaserTracking.Simulation
         /// <summary>All pulses, in order of time.</summary>
         public IReadOnlyList<TrueShot> Shots => _shots;
 
-        public int ShooterCount => _motions.Length;
-
         /// <summary>Colour frames delivered.</summary>
         public int ColorFrameCount => _light.Timing.Count;
 
@@ -65,20 +63,6 @@ namespace LaserTracking.Simulation
 
         /// <summary>The weapon hand of a shooter (from 1) at a true time in µs.</summary>
         public TrueHand HandAt(int shooter, double trueUs) => _motions[shooter - 1].Hand(trueUs / 1e6);
-
-        /// <summary>Number of the projector's picture that is on the screen at a true time; negative before the first one.</summary>
-        public int PictureShownAt(double trueUs) => PictureShown(_scenario.Projector, trueUs);
-
-        /// <summary>When a picture was drawn: the scene in it is the scene of this moment (true µs).</summary>
-        public double PictureDrawnUs(int picture) => picture * (1e6 / _scenario.Projector.RefreshHz);
-
-        /// <summary>First and last picture that the exposure of a colour frame saw.</summary>
-        public void PicturesOf(int colorFrame, out int first, out int last)
-        {
-            int height = _scenario.ColorCamera.Height;
-            first = PictureShownAt(_light.ExposureBeginUs(colorFrame, 0));
-            last = PictureShownAt(_light.ExposureBeginUs(colorFrame, height - 1) + _scenario.ColorCamera.ExposureUs - 1e-3);
-        }
 
         internal static int PictureShown(ProjectorSettings projector, double trueUs) =>
             (int)Math.Floor((trueUs / 1e6 - projector.DelayMs / 1000) * projector.RefreshHz + 1e-9);
