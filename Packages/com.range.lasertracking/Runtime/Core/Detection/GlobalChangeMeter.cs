@@ -39,6 +39,7 @@ namespace LaserTracking.Detection
         private readonly double[] _sorted = new double[Patches];
         private readonly int[] _ratios = new int[256];
         private readonly uint[] _pixels = new uint[2 * Window];
+        private double _noise;
         private int _width, _height, _factor, _frames, _steadyFrames;
 
         /// <summary>The picture's content lies this much further right than it used to, whole working px.</summary>
@@ -68,11 +69,12 @@ namespace LaserTracking.Detection
             Gain = 1;
         }
 
-        public void Measure(Image image)
+        public void Measure(Image image, double noise)
         {
             Gain = 1;
             IsBetweenPixels = false;
             _steadyFrames++;
+            _noise = noise;
             if (_width < 3 * Window || _height < 3 * Window)
                 return;
             _now.AsSpan().CopyTo(_before);
@@ -204,9 +206,9 @@ namespace LaserTracking.Detection
                 last = difference;
             }
 
-            // Two levels of mean slope are the least to see; a clear minimum stands well below the average.
+            // Slopes must stand out of the noise; a clear minimum stands well below the average.
             double average = sum / (2 * Search + 1);
-            if (average < 4 * Size * 16 || best > 0.45 * average || bestShift == -Search || bestShift == Search)
+            if (average < Size * (6 + 10 * _noise) || best > 0.45 * average || bestShift == -Search || bestShift == Search)
                 return double.NaN;
             double denominator = 2 * (Math.Max(before, after) - best);
             return bestShift + (denominator > 0 ? (before - after) / denominator : 0);

@@ -78,7 +78,7 @@ namespace LaserTracking.Detection
                 _noise.Scale(isSmooth ? 0.375 : 1 / 0.375);
             }
 
-            _change.Measure(image);
+            _change.Measure(image, rawNoise);
             _content.Scale(_change.Gain);
             _planes.Update(image, _change, _change.IsUnsteady ? UnsteadyDecay : _settings.EnvelopeDecay, _isSmooth, _settings.UseVectors);
             if (_planes.FrameCount == 2)
