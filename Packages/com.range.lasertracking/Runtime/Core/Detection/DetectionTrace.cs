@@ -26,6 +26,9 @@ namespace LaserTracking.Detection
             _tests = new TestOutcome[24 * candidateCapacity];
         }
 
+        /// <summary>A place to look at closely in every frame, whatever happens there; null: none.</summary>
+        public SpotTrace? Spot { get; set; }
+
         /// <summary>Index of the frame; -1 before the first one.</summary>
         public int FrameIndex { get; private set; } = -1;
 
@@ -61,6 +64,7 @@ namespace LaserTracking.Detection
         internal void Begin(int frameIndex)
         {
             FrameIndex = frameIndex;
+            Spot?.Begin();
             _candidateCount = _testCount = _firstTest = OverflowCount = 0;
         }
 

@@ -132,6 +132,7 @@ namespace LaserTracking.Detection
             SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, detections);
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
+            Trace?.Spot?.Look(view, _planes.Factor, _judge.IsContentKnown ? _content.Level + _settings.MinContentExcess : 256, _memory);
             detections.BlindShare = _planes.SmallestTiles.BusyShare;
             _memory.ReportTraces(view, detections);
             _memory.Protect(view, _planes.SmallestTiles, _planes.LargestTiles);
@@ -145,6 +146,7 @@ namespace LaserTracking.Detection
             _blobs.Begin();
             ReadOnlySpan<int> hot = tiles.FindHot(GateFloor, _settings.MaxCandidates);
             detections.Skip(tiles.HotCount - hot.Length);
+            Trace?.Spot?.SetTile(plane, tiles, hot, GateFloor, _planes.Factor);
             for (int round = 0; round < 2; round++)
             {
                 int seeds = 0, slot = 0;
