@@ -15,6 +15,7 @@ namespace LaserTracking.Host.Commands
                 ExtractCommand.Create(),
                 ScoreCommand.Create(),
                 CalibrateCommand.Create(),
+                StudyCommand.Create(),
                 BenchCommand.Create(),
                 TestCommand.Create(),
                 DoctorCommand.Create(),

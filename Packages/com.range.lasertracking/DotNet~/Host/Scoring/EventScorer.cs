@@ -11,25 +11,20 @@ using LaserTracking.Host.Events;
 namespace LaserTracking.Host.Scoring
 {
     /// <summary>
-    /// Compares the shots of events.jsonl with the truth. A true shot is found when one shot event lies within 3 px (scaled by
-    /// width/640) of a place of its dot and was reported in one of its frames or up to two after. Every event that no true shot takes
-    /// is a false shot. The matching finds the most shots; among equals it prefers near pairs.
+    /// Compares the shots of events.jsonl with the truth by <see cref="ShotMatcher"/>. Every event that no true shot takes is a false shot.
     /// </summary>
     internal sealed class EventScorer
     {
-        private const double TolerancePx = 3;
-        private const double ToleranceWidth = 640;
-        private const int LateFrames = 2;
         private const int MostFalseListed = 20;
         private readonly TruthClip _clip;
-        private readonly IReadOnlyList<Reported> _events;
+        private readonly IReadOnlyList<ReportedShot> _events;
         private readonly int[] _takenBy;
 
-        private EventScorer(TruthClip clip, IReadOnlyList<Reported> events)
+        private EventScorer(TruthClip clip, IReadOnlyList<ReportedShot> events)
         {
             _clip = clip;
             _events = events;
-            _takenBy = Match(clip, events);
+            _takenBy = ShotMatcher.Match(clip, events);
         }
 
         /// <summary>Scores a file of events and gives the result as JSON text, ended by a line feed.</summary>
@@ -40,16 +35,16 @@ namespace LaserTracking.Host.Scoring
         public static string Score(string eventsPath, string truthPath, string? clipName)
         {
             IReadOnlyList<TruthClip> clips = TruthFile.Read(truthPath);
-            List<Reported> events = ReadShots(eventsPath, out List<string> inputs);
+            List<ReportedShot> events = ReadShots(eventsPath, out List<string> inputs);
             TruthClip clip = Choose(clips, truthPath, clipName, inputs);
             if (new FileInfo(eventsPath).Length == 0)
                 throw new InputException(eventsPath, "is empty (0 bytes)", "write it anew with ./range replay --events");
             return new EventScorer(clip, events).ToJson();
         }
 
-        private static List<Reported> ReadShots(string path, out List<string> inputs)
+        private static List<ReportedShot> ReadShots(string path, out List<string> inputs)
         {
-            var shots = new List<Reported>();
+            var shots = new List<ReportedShot>();
             inputs = new List<string>();
             foreach (EventLine line in EventLines.Read(path))
             {
@@ -58,7 +53,7 @@ namespace LaserTracking.Host.Scoring
                     double x = line.Double("x_px"), y = line.Double("y_px");
                     if (double.IsNaN(x + y))
                         throw line.Wrong("x_px", "or \"y_px\" is no number");
-                    shots.Add(new Reported(line.Integer("frame"), new Vector2D(x, y), line.OptionalText("color")));
+                    shots.Add(new ReportedShot(line.Integer("frame"), new Vector2D(x, y), line.OptionalText("color")));
                 }
                 else if (line.OptionalText("type") == "header" && line.Root.TryGetProperty("inputs", out JsonElement list) && list.ValueKind == JsonValueKind.Array)
                 {
@@ -80,48 +75,11 @@ namespace LaserTracking.Host.Scoring
                 ?? throw new InputException(path, "has " + clips.Count + " clips, and none is named as the events' input", "name one with --clip");
         }
 
-        private static double Distance(TruthShot shot, Reported reported) => shot.PlacesPx.Min(place => (place - reported.PositionPx).Length);
-
-        /// <summary>Kuhn's augmenting paths over the possible pairs, nearest first. Gives each event's true shot, or -1.</summary>
-        private static int[] Match(TruthClip clip, IReadOnlyList<Reported> events)
-        {
-            double tolerance = TolerancePx * clip.Width / ToleranceWidth;
-            var pairs = new List<(double Distance, int Event)>[clip.Shots.Count];
-            for (int i = 0; i < pairs.Length; i++)
-            {
-                TruthShot shot = clip.Shots[i];
-                pairs[i] = Enumerable.Range(0, events.Count)
-                    .Where(j => shot.FirstVisibleFrame <= events[j].Frame && events[j].Frame <= shot.LastVisibleFrame + LateFrames)
-                    .Select(j => (Distance(shot, events[j]), j)).Where(pair => pair.Item1 <= tolerance).OrderBy(pair => pair).ToList();
-            }
-
-            int[] takenBy = Enumerable.Repeat(-1, events.Count).ToArray();
-            foreach (int shot in Enumerable.Range(0, pairs.Length).OrderBy(i => pairs[i].Count > 0 ? pairs[i][0].Distance : 1e9))
-                Augment(shot, pairs, takenBy, new bool[events.Count]);
-            return takenBy;
-        }
-
-        private static bool Augment(int shot, List<(double Distance, int Event)>[] pairs, int[] takenBy, bool[] seen)
-        {
-            foreach ((double _, int candidate) in pairs[shot])
-            {
-                if (seen[candidate])
-                    continue;
-                seen[candidate] = true;
-                if (takenBy[candidate] >= 0 && !Augment(takenBy[candidate], pairs, takenBy, seen))
-                    continue;
-                takenBy[candidate] = shot;
-                return true;
-            }
-
-            return false;
-        }
-
         private string ToJson()
         {
             int[] found = Enumerable.Range(0, _events.Count).Where(j => _takenBy[j] >= 0).ToArray();
             int colorOk = found.Count(j => _events[j].Color == _clip.Shots[_takenBy[j]].Color);
-            double[] errors = found.Select(j => Distance(_clip.Shots[_takenBy[j]], _events[j])).OrderBy(e => e).ToArray();
+            double[] errors = found.Select(j => ShotMatcher.DistancePx(_clip.Shots[_takenBy[j]], _events[j])).OrderBy(e => e).ToArray();
             using var stream = new MemoryStream();
             using (var json = new Utf8JsonWriter(stream, new JsonWriterOptions { Indented = true, NewLine = "\n", Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping }))
             {
@@ -185,8 +143,5 @@ namespace LaserTracking.Host.Scoring
             return mayBeTie ? Math.Round(value, decimals)
                 : double.Parse(value.ToString("F" + decimals, CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
         }
-
-        /// <summary>What of a reported shot counts here.</summary>
-        private sealed record Reported(int Frame, Vector2D PositionPx, string? Color);
     }
 }
