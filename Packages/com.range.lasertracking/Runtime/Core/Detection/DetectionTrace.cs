@@ -127,17 +127,17 @@ namespace LaserTracking.Detection
         {
             switch (reason)
             {
-                case RejectionReason.OutsideScreen: return "distance outside the screen's outline, px";
+                case RejectionReason.OutsideScreen: return "outside screen, px";
                 case RejectionReason.TooSmall:
-                case RejectionReason.TooLarge: return "area at half height, px² at 640";
-                case RejectionReason.NotCompact: return "compactness, 1: a filled ellipse";
-                case RejectionReason.TooElongated: return "length through width";
-                case RejectionReason.MovingSurroundings: return "surroundings that changed, share";
+                case RejectionReason.TooLarge: return "area, px² at 640";
+                case RejectionReason.NotCompact: return "compactness";
+                case RejectionReason.TooElongated: return "length / width";
+                case RejectionReason.MovingSurroundings: return "motion around";
                 case RejectionReason.WrongColor: return "red-green coherence";
                 case RejectionReason.NotConfirmed: return "frames waited";
-                case RejectionReason.Duplicate: return "distance to a dot found already, px";
-                case RejectionReason.NotNew: return "rise since the last frame, share";
-                case RejectionReason.CutByEdge: return "brightest pixel to the edge, working px";
+                case RejectionReason.Duplicate: return "distance to a dot, px";
+                case RejectionReason.NotNew: return "new light, share";
+                case RejectionReason.CutByEdge: return "to the edge, px";
                 default: return reason.ToString();
             }
         }

@@ -17,13 +17,13 @@ namespace LaserTracking.Detection
         /// <summary>Rise as a share of the room left to full brightness, 0…1.</summary>
         public double Rise;
 
-        /// <summary>Largest rise anywhere in the tile of 16×16 searched pixels, levels.</summary>
+        /// <summary>Largest rise beyond a sixteenth of the room left, anywhere in the tile of 16×16 searched pixels, levels.</summary>
         public int TileOnset;
 
-        /// <summary>What the tile's largest rise must exceed to be looked into, levels: most of how much it has risen of late.</summary>
+        /// <summary>What that must exceed for the tile to be looked into, levels: most of how large it has been of late.</summary>
         public int TileGate;
 
-        /// <summary>How much the tile has risen of late, levels.</summary>
+        /// <summary>How large it has been of late, levels.</summary>
         public double TileActivity;
 
         /// <summary>Tiles above their gates in this frame.</summary>
