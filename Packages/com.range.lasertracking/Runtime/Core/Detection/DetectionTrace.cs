@@ -23,7 +23,7 @@ namespace LaserTracking.Detection
             if (candidateCapacity < 1 || candidateCapacity > 65536)
                 throw new ArgumentOutOfRangeException(nameof(candidateCapacity), "1…65536 candidates can be kept");
             _candidates = new ExaminedCandidate[candidateCapacity];
-            _tests = new TestOutcome[24 * candidateCapacity];
+            _tests = new TestOutcome[32 * candidateCapacity];
         }
 
         /// <summary>A place to look at closely in every frame, whatever happens there; null: none.</summary>
@@ -80,6 +80,10 @@ namespace LaserTracking.Detection
         /// <summary>A test that decides only whether this frame suffices.</summary>
         internal void AddConclusive(bool isPassed, double value, double limit, string what) =>
             Add(new TestOutcome { What = what, IsPassed = isPassed, Value = value, Limit = limit });
+
+        /// <summary>What one measure says for (positive) or against a dot, log-odds.</summary>
+        internal void AddEvidence(string what, double value, double logOdds) =>
+            Add(new TestOutcome { What = what, IsPassed = logOdds >= 0, Value = value, Limit = logOdds });
 
         /// <summary>The candidate whose tests were added since the last call.</summary>
         internal void Finish(in Candidate candidate, Vector2D positionPx, int factor, bool isContinued, int dotIndex)

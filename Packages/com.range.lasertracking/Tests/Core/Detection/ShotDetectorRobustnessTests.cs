@@ -122,7 +122,7 @@ namespace LaserTracking.Detection
         [TestCase(-0.1)]
         public void Constructor_BadSetting_NamesIt(double value)
         {
-            ArgumentException? error = Assert.Throws<ArgumentException>(() => new ShotDetector(new ShotDetectorSettings { ConclusiveRise = value }));
+            ArgumentException? error = Assert.Throws<ArgumentException>(() => new ShotDetector(new ShotDetectorSettings { MinRise = value }));
             Assert.That(error!.Message, Does.Contain("ConclusiveRise"));
         }
 
