@@ -1,0 +1,14 @@
+using LaserTracking.Host.Scoring;
+
+namespace LaserTracking.Host.Studies.Simulated
+{
+    /// <summary>A simulated shot as the camera saw it.</summary>
+    /// <param name="Truth">Frames and places.</param>
+    /// <param name="Rise">How far the brightest pixel near it rose in its best frame above the frame before its first, share of the room left there, 0…1.</param>
+    /// <param name="RiseLevels">The same in levels of the strongest channel.</param>
+    /// <param name="PulseMs">How long the light was on.</param>
+    internal sealed record TracedShot(TruthShot Truth, double Rise, double RiseLevels, double PulseMs)
+    {
+        public bool IsFound { get; set; }
+    }
+}
