@@ -23,6 +23,7 @@ namespace LaserTracking.Host.Studies.Simulated
         private readonly double[] _background;
         private readonly double[] _rise;
         private readonly double[] _riseLevels;
+        private readonly int[] _bestFrame;
 
         public SimulatedRun(SimulatedRange range)
         {
@@ -35,12 +36,15 @@ namespace LaserTracking.Host.Studies.Simulated
             _background = new double[visible.Length];
             _rise = new double[visible.Length];
             _riseLevels = new double[visible.Length];
+            _bestFrame = visible.Select(s => s.FirstFrame).ToArray();
         }
 
         /// <summary>What a camera shows at first the detector only learns.</summary>
         private const int FirstFrames = 5;
 
         private double[] PulseMs { get; }
+
+        public SimulatedRange Range => _range;
 
         public List<TracedShot> Shots { get; } = new();
 
@@ -90,8 +94,11 @@ namespace LaserTracking.Host.Studies.Simulated
             foreach (int i in on)
             {
                 double level = _truth.Shots[i].PlacesPx.Max(place => Level(bgra, place, isPeak: true));
-                _riseLevels[i] = Math.Max(_riseLevels[i], level - _background[i]);
-                _rise[i] = Math.Max(_rise[i], (level - _background[i]) / (255 - _background[i] + 8));
+                if (level - _background[i] <= _riseLevels[i])
+                    continue;
+                _riseLevels[i] = level - _background[i];
+                _rise[i] = _riseLevels[i] / (255 - _background[i] + 8);
+                _bestFrame[i] = frame.Index;
             }
 
             foreach (int i in next)
@@ -126,7 +133,7 @@ namespace LaserTracking.Host.Studies.Simulated
         {
             int[] match = ShotMatcher.Match(_truth, _reported);
             foreach (int i in Indices())
-                Shots.Add(new TracedShot(_truth.Shots[i], _rise[i], _riseLevels[i], PulseMs[i]) { IsFound = match.Contains(i) });
+                Shots.Add(new TracedShot(_truth.Shots[i], _rise[i], _riseLevels[i], _bestFrame[i], PulseMs[i]) { IsFound = match.Contains(i) });
             double tolerance = 40.0 * _truth.Width / 640, settle = 0.25 * _range.Scenario.ColorCamera.FramesPerSecond + 3;
             for (int j = 0; j < _reported.Count; j++)
             {

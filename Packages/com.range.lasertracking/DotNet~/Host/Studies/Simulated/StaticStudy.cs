@@ -13,6 +13,7 @@ namespace LaserTracking.Host.Studies.Simulated
         private const double SecondsPerSeed = 36 * 60;
 
         private const int MaxNamed = 24;
+        private const int MaxDrawn = 8;
         private static readonly double[] Bins = { 0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 1.01 };
 
         public string Name => "static";
@@ -42,7 +43,7 @@ namespace LaserTracking.Host.Studies.Simulated
                     falseCount += run.False.Count;
                     doubles += run.Doubles.Count;
                     seconds += run.Seconds;
-                    NameThem(table, still, seed, run);
+                    NameThem(table, still, seed, run, interrupted);
                 }
 
                 table.Add(still.Name, seconds / 60, Share(shots.Where(ContrastLimit.IsAbove)), Share(shots.Where(s => !ContrastLimit.IsAbove(s))), doubles, falseCount, PerHour(falseCount, seconds));
@@ -65,10 +66,18 @@ namespace LaserTracking.Host.Studies.Simulated
         private static double PerHour(int count, double seconds) => seconds > 0 ? count * 3600 / seconds : 0;
 
         /// <summary>Each missed shot above the limit and each false one, as far as there is room.</summary>
-        private static void NameThem(StudyTable table, StillCase still, int seed, SimulatedRun run)
+        private static void NameThem(StudyTable table, StillCase still, int seed, SimulatedRun run, CancellationToken interrupted)
         {
+            string Draw(TracedShot s)
+            {
+                if (table.Notes.Count >= MaxDrawn)
+                    return string.Empty;
+                string name = FormattableString.Invariant($"static-{still.Name.Replace(' ', '-').Replace(",", string.Empty)}-{seed}-{s.BestFrame}.png");
+                return ": " + MissPicture.Draw(run.Range, s, name, interrupted);
+            }
+
             IEnumerable<string> lines = run.Shots.Where(s => !s.IsFound && ContrastLimit.IsAbove(s)).Select(s =>
-                FormattableString.Invariant($"missed: {still.Name}, seed {seed}, frames {s.Truth.FirstVisibleFrame}…{s.Truth.LastVisibleFrame} at {s.Truth.PlacesPx[0].X:F0},{s.Truth.PlacesPx[0].Y:F0}, rise {s.Rise:F2} ({s.RiseLevels:F0} levels), {s.PulseMs:F0} ms"));
+                FormattableString.Invariant($"missed: {still.Name}, seed {seed}, frames {s.Truth.FirstVisibleFrame}…{s.Truth.LastVisibleFrame} at {s.Truth.PlacesPx[0].X:F0},{s.Truth.PlacesPx[0].Y:F0}, rise {s.Rise:F2} ({s.RiseLevels:F0} levels), {s.PulseMs:F0} ms") + Draw(s));
             foreach (string line in lines.Concat(run.False.Select(f => FormattableString.Invariant($"false: {still.Name}, seed {seed}, frame {f.Frame} at {f.PositionPx.X:F0},{f.PositionPx.Y:F0}"))))
             {
                 if (table.Notes.Count < MaxNamed)

@@ -6,8 +6,9 @@ namespace LaserTracking.Host.Studies.Simulated
     /// <param name="Truth">Frames and places.</param>
     /// <param name="Rise">How far the brightest pixel near it rose in its best frame above the frame before its first, share of the room left there, 0…1.</param>
     /// <param name="RiseLevels">The same in levels of the strongest channel.</param>
+    /// <param name="BestFrame">The frame in which it rose most.</param>
     /// <param name="PulseMs">How long the light was on.</param>
-    internal sealed record TracedShot(TruthShot Truth, double Rise, double RiseLevels, double PulseMs)
+    internal sealed record TracedShot(TruthShot Truth, double Rise, double RiseLevels, int BestFrame, double PulseMs)
     {
         public bool IsFound { get; set; }
     }
