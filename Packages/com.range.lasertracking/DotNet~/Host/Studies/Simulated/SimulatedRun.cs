@@ -20,7 +20,7 @@ namespace LaserTracking.Host.Studies.Simulated
         private readonly List<ReportedShot> _reported = new();
         private readonly double _reachPx;
         private readonly TruthClip _truth;
-        private readonly double[] _background;
+        private readonly byte[]?[] _before;
         private readonly double[] _rise;
         private readonly double[] _riseLevels;
         private readonly int[] _bestFrame;
@@ -33,7 +33,7 @@ namespace LaserTracking.Host.Studies.Simulated
             ILookup<int, TrueDot> dots = Dots(range.Truth).ToLookup(d => d.ShotId);
             _truth = new TruthClip("simulation", range.Scenario.ColorCamera.Width, visible.Select(s => Truth(s, dots[s.Id])).ToArray());
             PulseMs = visible.Select(s => s.PulseUs / 1000).ToArray();
-            _background = new double[visible.Length];
+            _before = new byte[visible.Length][];
             _rise = new double[visible.Length];
             _riseLevels = new double[visible.Length];
             _bestFrame = visible.Select(s => s.FirstFrame).ToArray();
@@ -84,7 +84,7 @@ namespace LaserTracking.Host.Studies.Simulated
 
         private IEnumerable<int> Indices() => Enumerable.Range(0, _truth.Shots.Count);
 
-        /// <summary>Levels before a shot and during it, read off the picture itself.</summary>
+        /// <summary>Each pixel near a shot against itself in the frame before its first, read off the picture.</summary>
         private void Measure(Frame frame, int[] next, List<int> on, Image bgra)
         {
             on.RemoveAll(i => frame.Index > _truth.Shots[i].LastVisibleFrame);
@@ -93,40 +93,48 @@ namespace LaserTracking.Host.Studies.Simulated
             ColorConversion.ToBgra(frame.Color, bgra);
             foreach (int i in on)
             {
-                double level = _truth.Shots[i].PlacesPx.Max(place => Level(bgra, place, isPeak: true));
-                if (level - _background[i] <= _riseLevels[i])
-                    continue;
-                _riseLevels[i] = level - _background[i];
-                _rise[i] = _riseLevels[i] / (255 - _background[i] + 8);
-                _bestFrame[i] = frame.Index;
+                byte[] now = Patch(bgra, _truth.Shots[i].PlacesPx[0]), before = _before[i]!;
+                for (int p = 0; p < now.Length; p++)
+                {
+                    double levels = now[p] - before[p], share = levels / (255 - before[p] + 8);
+                    if (share <= _rise[i] || !_truth.Shots[i].PlacesPx.Any(place => IsNear(p, _truth.Shots[i].PlacesPx[0], place)))
+                        continue;
+                    _rise[i] = share;
+                    _riseLevels[i] = levels;
+                    _bestFrame[i] = frame.Index;
+                }
             }
 
             foreach (int i in next)
             {
-                _background[i] = Level(bgra, _truth.Shots[i].PlacesPx[0], isPeak: false);
+                _before[i] = Patch(bgra, _truth.Shots[i].PlacesPx[0]);
                 on.Add(i);
             }
         }
 
-        /// <summary>Strongest channel near a place: the brightest pixel, or the mean.</summary>
-        private unsafe double Level(Image bgra, Vector2D place, bool isPeak)
+        private int PatchRadius => (int)(8 * _reachPx);
+
+        private bool IsNear(int pixel, Vector2D center, Vector2D place)
         {
-            int x0 = Math.Max(0, (int)(place.X - _reachPx)), x1 = Math.Min(bgra.Width - 1, (int)(place.X + _reachPx));
-            int y0 = Math.Max(0, (int)(place.Y - _reachPx)), y1 = Math.Min(bgra.Height - 1, (int)(place.Y + _reachPx));
-            int peak = 0, sum = 0, count = 0;
-            for (int y = y0; y <= y1; y++)
+            int side = 2 * PatchRadius + 1;
+            return (new Vector2D((int)center.X - PatchRadius + pixel % side, (int)center.Y - PatchRadius + pixel / side) - place).LengthSquared <= _reachPx * _reachPx;
+        }
+
+        /// <summary>The strongest channel around a place; 0 outside the picture.</summary>
+        private unsafe byte[] Patch(Image bgra, Vector2D center)
+        {
+            int radius = PatchRadius, side = 2 * radius + 1;
+            var patch = new byte[side * side];
+            for (int i = 0; i < patch.Length; i++)
             {
-                byte* pixel = bgra.Pixels + (long)y * bgra.Stride + 4 * x0;
-                for (int x = x0; x <= x1; x++, pixel += 4)
-                {
-                    int level = Math.Max(pixel[0], Math.Max(pixel[1], pixel[2]));
-                    peak = Math.Max(peak, level);
-                    sum += level;
-                    count++;
-                }
+                int x = (int)center.X - radius + i % side, y = (int)center.Y - radius + i / side;
+                if (x < 0 || y < 0 || x >= bgra.Width || y >= bgra.Height)
+                    continue;
+                byte* pixel = bgra.Pixels + (long)y * bgra.Stride + 4 * x;
+                patch[i] = Math.Max(pixel[0], Math.Max(pixel[1], pixel[2]));
             }
 
-            return isPeak ? peak : sum / (double)Math.Max(1, count);
+            return patch;
         }
 
         private void Compare()

@@ -24,7 +24,7 @@ namespace LaserTracking.Host.Studies.Simulated
         {
             StillCase[] all = StillCase.All();
             StillCase[] cases = all.Where(c => options.Includes(c.Name)).ToArray();
-            var table = new StudyTable(FormattableString.Invariant($"640×360, 30 frames/s, seeds {options.FirstSeed}…{options.LastSeed}; limit: brightest pixel risen by {ContrastLimit.Rise:P0} of the room left and by {ContrastLimit.Levels} levels"),
+            var table = new StudyTable(FormattableString.Invariant($"640×360, 30 frames/s, seeds {options.FirstSeed}…{options.LastSeed}; {ContrastLimit.Words}"),
                 "picture", "minutes", "above the limit found", "below it found", "doubles", "false", "false per hour");
             var everything = new List<TracedShot>();
             int allFalse = 0, allDoubles = 0;
@@ -46,21 +46,15 @@ namespace LaserTracking.Host.Studies.Simulated
                     NameThem(table, still, seed, run, interrupted);
                 }
 
-                table.Add(still.Name, seconds / 60, Share(shots.Where(ContrastLimit.IsAbove)), Share(shots.Where(s => !ContrastLimit.IsAbove(s))), doubles, falseCount, PerHour(falseCount, seconds));
+                table.Add(still.Name, seconds / 60, ContrastLimit.ShareAbove(shots), ContrastLimit.ShareBelow(shots), doubles, falseCount, PerHour(falseCount, seconds));
                 everything.AddRange(shots);
                 (allFalse, allDoubles, allSeconds) = (allFalse + falseCount, allDoubles + doubles, allSeconds + seconds);
             }
 
-            table.Add("all", allSeconds / 60, Share(everything.Where(ContrastLimit.IsAbove)), Share(everything.Where(s => !ContrastLimit.IsAbove(s))), allDoubles, allFalse, PerHour(allFalse, allSeconds));
+            table.Add("all", allSeconds / 60, ContrastLimit.ShareAbove(everything), ContrastLimit.ShareBelow(everything), allDoubles, allFalse, PerHour(allFalse, allSeconds));
             table.Notes.Insert(0, "found by rise (share of the room left): " + string.Join(" · ", Bins.SkipLast(1).Select((low, i) =>
-                FormattableString.Invariant($"{low:0.##}–{Math.Min(1, Bins[i + 1]):0.##}: {Share(everything.Where(s => s.Rise >= low && s.Rise < Bins[i + 1]))}"))));
+                FormattableString.Invariant($"{low:0.##}–{Math.Min(1, Bins[i + 1]):0.##}: {ContrastLimit.Share(everything.Where(s => s.Rise >= low && s.Rise < Bins[i + 1]))}"))));
             return table;
-        }
-
-        private static Proportion Share(IEnumerable<TracedShot> shots)
-        {
-            TracedShot[] of = shots.ToArray();
-            return new Proportion(of.Count(s => s.IsFound), of.Length);
         }
 
         private static double PerHour(int count, double seconds) => seconds > 0 ? count * 3600 / seconds : 0;
