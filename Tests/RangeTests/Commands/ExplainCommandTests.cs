@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using LaserTracking.Geometry;
+using LaserTracking.Host.Scenes;
 using LaserTracking.Simulation;
 using NUnit.Framework;
 
@@ -28,7 +29,7 @@ namespace LaserTracking.Commands
         {
             using var folder = new TemporaryFolder();
             string scenario = Scenario(folder), picture = folder.File("at.png");
-            Vector2D at = new SimulatedRange(SimulationScenarioFile.Read(scenario), SimulationScenes.Default()).Truth.Shots[0].FirstLightPx;
+            Vector2D at = new SimulatedRange(SimulationScenarioFile.Read(scenario), UnitySceneReader.Read(Path.Combine(TestFiles.Repository, "Assets", "Scenes", "Range.unity"))).Truth.Shots[0].FirstLightPx;
             (int exitCode, string output, string error) = CommandLine.Run("explain", scenario, "--frame", Text(ShotFrame), "--at", FormattableString.Invariant($"{at.X:F1},{at.Y:F1}"), "--out", picture);
             Assert.That(exitCode, Is.Zero, error);
             Assert.That(output.Split("\n#").Length - 1, Is.EqualTo(1), output);

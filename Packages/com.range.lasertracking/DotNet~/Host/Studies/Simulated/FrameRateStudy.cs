@@ -19,7 +19,7 @@ namespace LaserTracking.Host.Studies.Simulated
         public StudyTable Run(StudyOptions options, CancellationToken interrupted)
         {
             var table = new StudyTable(FormattableString.Invariant($"seeds {options.FirstSeed}…{options.LastSeed}; {ContrastLimit.Words}; light between two exposures, which no frame shows, is not counted"),
-                "camera", "seconds", "above the limit found", "below it found", "doubles", "false");
+                ["camera", "seconds", .. ContrastLimit.Columns, "doubles", "false"]);
             var all = new List<TracedShot>();
             int allDoubles = 0, allFalse = 0;
             double allSeconds = 0;
@@ -39,12 +39,12 @@ namespace LaserTracking.Host.Studies.Simulated
                     seconds += run.Seconds;
                 }
 
-                table.Add(camera.Name, seconds, ContrastLimit.ShareAbove(shots), ContrastLimit.ShareBelow(shots), doubles, falseCount);
+                table.Add([camera.Name, seconds, .. ContrastLimit.Shares(shots), doubles, falseCount]);
                 all.AddRange(shots);
                 (allDoubles, allFalse, allSeconds) = (allDoubles + doubles, allFalse + falseCount, allSeconds + seconds);
             }
 
-            table.Add("all", allSeconds, ContrastLimit.ShareAbove(all), ContrastLimit.ShareBelow(all), allDoubles, allFalse);
+            table.Add(["all", allSeconds, .. ContrastLimit.Shares(all), allDoubles, allFalse]);
             return table;
         }
 

@@ -20,9 +20,10 @@ namespace LaserTracking.Host.Studies.Simulated
         private readonly List<ReportedShot> _reported = new();
         private readonly double _reachPx;
         private readonly TruthClip _truth;
-        private readonly byte[]?[] _before;
+        private readonly (byte Largest, byte Smallest)[]?[] _before;
         private readonly double[] _rise;
         private readonly double[] _riseLevels;
+        private readonly double[] _riseOfAll;
         private readonly int[] _bestFrame;
 
         public SimulatedRun(SimulatedRange range)
@@ -33,9 +34,10 @@ namespace LaserTracking.Host.Studies.Simulated
             ILookup<int, TrueDot> dots = Dots(range.Truth).ToLookup(d => d.ShotId);
             _truth = new TruthClip("simulation", range.Scenario.ColorCamera.Width, visible.Select(s => Truth(s, dots[s.Id])).ToArray());
             PulseMs = visible.Select(s => s.PulseUs / 1000).ToArray();
-            _before = new byte[visible.Length][];
+            _before = new (byte, byte)[visible.Length][];
             _rise = new double[visible.Length];
             _riseLevels = new double[visible.Length];
+            _riseOfAll = new double[visible.Length];
             _bestFrame = visible.Select(s => s.FirstFrame).ToArray();
         }
 
@@ -93,11 +95,15 @@ namespace LaserTracking.Host.Studies.Simulated
             ColorConversion.ToBgra(frame.Color, bgra);
             foreach (int i in on)
             {
-                byte[] now = Patch(bgra, _truth.Shots[i].PlacesPx[0]), before = _before[i]!;
+                (byte Largest, byte Smallest)[] now = Patch(bgra, _truth.Shots[i].PlacesPx[0]), before = _before[i]!;
                 for (int p = 0; p < now.Length; p++)
                 {
-                    double levels = now[p] - before[p], share = levels / (255 - before[p] + 8);
-                    if (share <= _rise[i] || !_truth.Shots[i].PlacesPx.Any(place => IsNear(p, _truth.Shots[i].PlacesPx[0], place)))
+                    double levels = now[p].Largest - before[p].Largest, share = levels / (255 - before[p].Largest + 8);
+                    double shareOfAll = (now[p].Smallest - before[p].Smallest) / (255.0 - before[p].Smallest + 8);
+                    if ((share <= _rise[i] && shareOfAll <= _riseOfAll[i]) || !_truth.Shots[i].PlacesPx.Any(place => IsNear(p, _truth.Shots[i].PlacesPx[0], place)))
+                        continue;
+                    _riseOfAll[i] = Math.Max(_riseOfAll[i], shareOfAll);
+                    if (share <= _rise[i])
                         continue;
                     _rise[i] = share;
                     _riseLevels[i] = levels;
@@ -120,18 +126,18 @@ namespace LaserTracking.Host.Studies.Simulated
             return (new Vector2D((int)center.X - PatchRadius + pixel % side, (int)center.Y - PatchRadius + pixel / side) - place).LengthSquared <= _reachPx * _reachPx;
         }
 
-        /// <summary>The strongest channel around a place; 0 outside the picture.</summary>
-        private unsafe byte[] Patch(Image bgra, Vector2D center)
+        /// <summary>Strongest and weakest channel around a place; 0 outside the picture.</summary>
+        private unsafe (byte Largest, byte Smallest)[] Patch(Image bgra, Vector2D center)
         {
             int radius = PatchRadius, side = 2 * radius + 1;
-            var patch = new byte[side * side];
+            var patch = new (byte Largest, byte Smallest)[side * side];
             for (int i = 0; i < patch.Length; i++)
             {
                 int x = (int)center.X - radius + i % side, y = (int)center.Y - radius + i / side;
                 if (x < 0 || y < 0 || x >= bgra.Width || y >= bgra.Height)
                     continue;
                 byte* pixel = bgra.Pixels + (long)y * bgra.Stride + 4 * x;
-                patch[i] = Math.Max(pixel[0], Math.Max(pixel[1], pixel[2]));
+                patch[i] = (Math.Max(pixel[0], Math.Max(pixel[1], pixel[2])), Math.Min(pixel[0], Math.Min(pixel[1], pixel[2])));
             }
 
             return patch;
@@ -141,7 +147,7 @@ namespace LaserTracking.Host.Studies.Simulated
         {
             int[] match = ShotMatcher.Match(_truth, _reported);
             foreach (int i in Indices())
-                Shots.Add(new TracedShot(_truth.Shots[i], _rise[i], _riseLevels[i], _bestFrame[i], PulseMs[i]) { IsFound = match.Contains(i) });
+                Shots.Add(new TracedShot(_truth.Shots[i], _rise[i], _riseLevels[i], _riseOfAll[i], _bestFrame[i], PulseMs[i]) { IsFound = match.Contains(i) });
             double tolerance = 40.0 * _truth.Width / 640, settle = 0.25 * _range.Scenario.ColorCamera.FramesPerSecond + 3;
             for (int j = 0; j < _reported.Count; j++)
             {
