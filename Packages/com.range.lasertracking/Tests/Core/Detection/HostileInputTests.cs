@@ -83,6 +83,33 @@ namespace LaserTracking.Detection
             }
         }
 
+        [Test]
+        public void Pipeline_TenThousandSparks_SaysSoOnce()
+        {
+            var recorder = new SessionRecorder();
+            RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(), null, false, null, recorder);
+            pipeline.Begin(new SessionHeader("1.0.0", new SessionInput[0], null, "shots", null));
+            var builder = new FrameBuilder(1000, 1000) { NoiseSigma = 0 };
+            using (var frame = new Frame())
+            {
+                for (int i = 0; i < 7; i++)
+                {
+                    builder.Wall(40, 40, 40);
+                    for (int n = 0; n < (i >= 5 ? 10000 : 0); n++)
+                        builder.Box(n % 100 * 10 + i - 5, n / 100 * 10, 3, 3, 255, 255, 255);
+                    builder.Write(frame, i, i * 33333);
+                    pipeline.Process(frame);
+                }
+            }
+
+            pipeline.End(1);
+            int overflows = 0;
+            foreach (HealthEvent health in recorder.Health)
+                overflows += health.Kind == HealthKind.Overflow ? 1 : 0;
+            Assert.That(overflows, Is.EqualTo(1));
+            Assert.That(recorder.ShotsByTime(), Is.Empty);
+        }
+
         [TestCase(0)]
         [TestCase(255)]
         public void Detector_FramesOfOneValue_FindNothing(int value)
