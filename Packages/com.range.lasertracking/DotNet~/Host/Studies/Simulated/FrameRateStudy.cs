@@ -33,6 +33,8 @@ namespace LaserTracking.Host.Studies.Simulated
                     options.Progress.Show(FormattableString.Invariant($"{camera.Name}, seed {seed}"));
                     var run = new SimulatedRun(camera.Create(seed));
                     run.Process(interrupted);
+                    if (interrupted.IsCancellationRequested)
+                        break;
                     shots.AddRange(run.Shots);
                     doubles += run.Doubles.Count;
                     falseCount += run.False.Count;

@@ -36,6 +36,10 @@ namespace LaserTracking.Host.Studies.Simulated
                     options.Progress.Show(FormattableString.Invariant($"seed {seed}, {cases[i].Name}"));
                     var run = new SimulatedRun(cases[i].Create(seed, SecondsPerSeed / all.Length));
                     run.Process(interrupted);
+
+                    // What an interrupted run has not come to is not missed.
+                    if (interrupted.IsCancellationRequested)
+                        break;
                     tallies[i].Add(run);
                     NameThem(table, cases[i], seed, run, interrupted);
                 }
