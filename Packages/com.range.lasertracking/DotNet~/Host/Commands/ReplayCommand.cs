@@ -25,13 +25,15 @@ namespace LaserTracking.Host.Commands
             var scene = new Option<string?>("--scene") { HelpName = "FILE.unity", Description = "The Unity scene (.unity) that was shown: shots are scored against it." };
             var detector = new Option<string>("--detector") { HelpName = "NAME", Description = "shots, or paper: the published algorithm, faithfully.", DefaultValueFactory = _ => "shots" };
             var events = new Option<string?>("--events") { HelpName = "FILE", Description = "Writes events.jsonl there; - is standard output." };
+            var rejected = new Option<string>("--rejected") { HelpName = "WHICH", Description = "Rejected candidates among the events: all (default); notable: without those that moving edges make, too faint, too small or not compact; none.", DefaultValueFactory = _ => "all" };
             var dots = new Option<string?>("--dots") { HelpName = "FILE", Description = "Writes every tracked dot in every frame there." };
             var report = new Option<string?>("--report") { HelpName = "DIR", Description = "Writes report.html into this folder." };
             var paced = new Option<bool>("--paced") { Description = "Runs at the recording's own speed." };
-            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, detector, events, dots, report, paced };
+            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, detector, events, rejected, dots, report, paced };
             command.SetAction((parsed, interrupted) =>
             {
                 RangeSession.CreateDetector(parsed.GetValue(detector)!);
+                RejectedLines which = SessionOutputs.ParseRejected(parsed.GetValue(rejected)!);
                 string name = parsed.GetValue(input)!;
                 string? handName = parsed.GetValue(hand), calibrationName = parsed.GetValue(calibration), sceneName = parsed.GetValue(scene);
                 foreach (string? result in new[] { parsed.GetValue(events), parsed.GetValue(dots) })
@@ -59,7 +61,7 @@ namespace LaserTracking.Host.Commands
                     Inputs = inputs,
                     IsPaced = parsed.GetValue(paced),
                 };
-                var outputs = new SessionOutputs(parsed.GetValue(events), parsed.GetValue(dots), parsed.GetValue(report));
+                var outputs = new SessionOutputs(parsed.GetValue(events), parsed.GetValue(dots), parsed.GetValue(report)) { Rejected = which };
                 return Task.FromResult(outputs.Run(plan, "Replay of " + name, interrupted));
             });
             return command;

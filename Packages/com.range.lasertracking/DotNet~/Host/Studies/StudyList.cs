@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using LaserTracking.Host.Studies.Clips;
+using LaserTracking.Host.Studies.Simulated;
 
 namespace LaserTracking.Host.Studies
 {
@@ -10,6 +11,8 @@ namespace LaserTracking.Host.Studies
         {
             new ClipStressStudy(),
             new PastedDotsStudy(),
+            new StaticStudy(),
+            new FrameRateStudy(),
         };
     }
 }

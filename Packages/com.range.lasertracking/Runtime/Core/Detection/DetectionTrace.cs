@@ -86,7 +86,7 @@ namespace LaserTracking.Detection
             Add(new TestOutcome { What = what, IsPassed = logOdds >= 0, Value = value, Limit = logOdds });
 
         /// <summary>The candidate whose tests were added since the last call.</summary>
-        internal void Finish(in Candidate candidate, Vector2D positionPx, int factor, bool isContinued, int dotIndex)
+        internal void Finish(in Candidate candidate, in FrameView view, Vector2D positionPx, int factor, bool isContinued, int dotIndex)
         {
             int first = _firstTest;
             _firstTest = _testCount;
@@ -98,13 +98,14 @@ namespace LaserTracking.Detection
 
             double half = (factor - 1) * 0.5;
             bool isGrown = candidate.Area > 0;
-            var seed = new Vector2D(candidate.SeedX * factor + half, candidate.SeedY * factor + half);
+            int shiftX = view.ShiftX, shiftY = view.ShiftY;
+            var seed = new Vector2D((candidate.SeedX + shiftX) * factor + half, (candidate.SeedY + shiftY) * factor + half);
             _candidates[_candidateCount++] = new ExaminedCandidate
             {
                 SeedPx = seed,
                 PositionPx = positionPx,
-                TopLeftPx = isGrown ? new Vector2D(candidate.Left * factor, candidate.Top * factor) : seed,
-                BottomRightPx = isGrown ? new Vector2D((candidate.Right + 1) * factor - 1, (candidate.Bottom + 1) * factor - 1) : seed,
+                TopLeftPx = isGrown ? new Vector2D((candidate.Left + shiftX) * factor, (candidate.Top + shiftY) * factor) : seed,
+                BottomRightPx = isGrown ? new Vector2D((candidate.Right + shiftX + 1) * factor - 1, (candidate.Bottom + shiftY + 1) * factor - 1) : seed,
                 IsSmallestChannel = candidate.Plane == DetectionPlane.Smallest,
                 IsAboveContent = candidate.IsAboveContent,
                 RiseLevels = candidate.PeakRise,

@@ -140,7 +140,7 @@ namespace LaserTracking.Detection
             SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, detections);
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
-            Trace?.Spot?.Look(view, _planes.Factor, _judge.IsContentKnown ? _content.Level + _settings.MinContentExcess : 256, _memory);
+            Trace?.Spot?.Look(view, _judge.IsContentKnown ? _content.Level + _settings.MinContentExcess : 256, _memory);
             detections.BlindShare = _planes.SmallestTiles.BusyShare;
             _memory.ReportTraces(view, _noise.Sigma, detections);
             _memory.Protect(view, _planes.SmallestTiles, _planes.LargestTiles);
@@ -154,7 +154,7 @@ namespace LaserTracking.Detection
             _blobs.Begin();
             ReadOnlySpan<int> hot = tiles.FindHot(GateFloor, _settings.MaxCandidates);
             detections.Skip(tiles.HotCount - hot.Length);
-            Trace?.Spot?.SetTile(plane, tiles, hot, GateFloor, _planes.Factor);
+            Trace?.Spot?.SetTile(plane, tiles, hot, GateFloor, view, _planes.Factor);
             for (int round = 0; round < 2; round++)
             {
                 int seeds = 0, slot = 0;
@@ -235,7 +235,7 @@ namespace LaserTracking.Detection
 
             if (candidate.Reason != RejectionReason.None)
             {
-                Trace?.Finish(candidate, position, factor, known.Frames > 0, -1);
+                Trace?.Finish(candidate, view, position, factor, known.Frames > 0, -1);
                 detections.Reject(new RejectedCandidate { PositionPx = position, Reason = candidate.Reason, Value = candidate.Value, Limit = candidate.Limit });
                 return;
             }
@@ -245,7 +245,7 @@ namespace LaserTracking.Detection
             dot.Color = candidate.IsOnset || known.Frames == 0 ? ColorOf(candidate) : known.Color;
             dot.Factors = Factors(candidate, dot.PositionPx, image);
             dot.Confidence = Math.Min(1, dot.Factors.Sum);
-            Trace?.Finish(candidate, dot.PositionPx, factor, known.Frames > 0, detections.Dots.Length);
+            Trace?.Finish(candidate, view, dot.PositionPx, factor, known.Frames > 0, detections.Dots.Length);
             detections.Add(dot);
             Remember(view, candidate, dot, known);
         }
