@@ -124,7 +124,7 @@ namespace LaserTracking.Detection
         public void Constructor_BadSetting_NamesIt(double value)
         {
             ArgumentException? error = Assert.Throws<ArgumentException>(() => new ShotDetector(new ShotDetectorSettings { MinRise = value }));
-            Assert.That(error!.Message, Does.Contain("ConclusiveRise"));
+            Assert.That(error!.Message, Does.Contain("MinRise"));
         }
 
         [Test]
