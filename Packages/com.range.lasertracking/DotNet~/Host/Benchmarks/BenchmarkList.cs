@@ -24,6 +24,7 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("detect-1080p", "1920×1080 BGRA frame in, shots out; moving scene, 2 dots", () => Detect("shots", 1920, 1080, PixelFormat.Bgra32)),
             new Benchmark("detect-720p-nv12", "1280×720 NV12 frame in, shots out; moving scene, 2 dots", () => Detect("shots", 1280, 720, PixelFormat.Nv12)),
             new Benchmark("paper-1080p", "the published algorithm at 960 px width on 1920×1080 BGRA; moving scene, 2 dots", () => Detect("paper", 1920, 1080, PixelFormat.Bgra32)),
+            new Benchmark("dual-1080p", "1024×1024 16-bit infrared and 1920×1080 BGRA in, shots out; moving scene, 3 dots at 850 nm", Dual),
             new Benchmark("hands-640x576", "depth frame in, hands out; 2 people", Hands),
             new Benchmark("pair-multiuser", "4 shots of one frame to 4 hands", Pair),
             new Benchmark("decode-720p-mjpg", "one 1280×720 4:2:2 JPEG to YUY2", Decode),
@@ -33,7 +34,11 @@ namespace LaserTracking.Host.Benchmarks
         private static Action<int> Detect(string detectorName, int width, int height, PixelFormat format)
         {
             var frames = new FrameLoop(FrameLoop.Range(width, height, format, 2, 2000, 90).CreateColorSource(), LoopFrames);
-            IShotDetector detector = Sessions.RangeSession.CreateDetector(detectorName);
+            return Detect(frames, Sessions.RangeSession.CreateDetector(detectorName));
+        }
+
+        private static Action<int> Detect(FrameLoop frames, IShotDetector detector)
+        {
             var tracker = new ShotTracker();
             var detections = new Detections();
             return number =>
@@ -43,6 +48,16 @@ namespace LaserTracking.Host.Benchmarks
                 detector.Process(frame, detections);
                 tracker.Process(detections);
             };
+        }
+
+        private static Action<int> Dual()
+        {
+            SimulationScenario scenario = FrameLoop.Scenario(1920, 1080, PixelFormat.Bgra32, 3, 2000, 90);
+            scenario.InfraredCamera.Enabled = true;
+            foreach (ShooterSettings shooter in scenario.Shooters)
+                shooter.Laser.Color = LaserColor.Infrared;
+            var range = new SimulatedRange(scenario, SimulationScenes.Default());
+            return Detect(new FrameLoop(range.CreateColorSource(), LoopFrames), Sessions.RangeSession.CreateDetector("dual", range.InfraredMapping));
         }
 
         private static Action<int> Hands()

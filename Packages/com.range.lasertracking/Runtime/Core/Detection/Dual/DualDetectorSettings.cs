@@ -1,0 +1,103 @@
+using System;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>
+    /// Limits of the dual detector. Lengths in the infrared picture are its own pixels; lengths in the colour picture are pixels of
+    /// one 1920 wide, scaled to the real width, areas with the square. Checked when a <see cref="DualShotDetector"/> is made from it.
+    /// </summary>
+    public sealed class DualDetectorSettings
+    {
+        /// <summary>Least height of an infrared spot over its surroundings, counts, 1…65535.</summary>
+        public double MinInfraredRise { get; set; } = 20;
+
+        /// <summary>The same in standard deviations of the noise around it, 0…100.</summary>
+        public double MinInfraredSigmas { get; set; } = 7;
+
+        /// <summary>The same as a share of the brightness around it, 0…10: a wall's own texture stays below.</summary>
+        public double MinInfraredShare { get; set; } = 0.12;
+
+        /// <summary>Least area at half height, infrared px, 1…1000: a defective pixel has one.</summary>
+        public int MinInfraredAreaPx { get; set; } = 2;
+
+        /// <summary>Largest area at half height, infrared px, 1…2000.</summary>
+        public int MaxInfraredAreaPx { get; set; } = 200;
+
+        /// <summary>How far the colour of an infrared spot is searched around the place it is mapped to, colour px, 1…200.</summary>
+        public double MatchRadiusPx { get; set; } = 20;
+
+        /// <summary>Least height of visible light over its surroundings in its strongest channel, levels, 1…255.</summary>
+        public double MinColorRise { get; set; } = 24;
+
+        /// <summary>The same in standard deviations of the picture around it, 0…100.</summary>
+        public double MinColorSigmas { get; set; } = 6;
+
+        /// <summary>Largest area of visible light at half height, colour px, 1…4000.</summary>
+        public double MaxColorAreaPx { get; set; } = 1200;
+
+        /// <summary>Largest length through width of a spot in either picture, 1…100.</summary>
+        public double MaxElongation { get; set; } = 6;
+
+        /// <summary>Largest share of the ring around a spot that reaches half its height, 0…1.</summary>
+        public double MaxRingShare { get; set; } = 0.12;
+
+        /// <summary>
+        /// Least share of a spot's colourfulness by which green exceeds both others, 0…1. As a hue: 120° ± 60°·(1 − this).
+        /// </summary>
+        public double MinGreenShare { get; set; } = 0.4;
+
+        /// <summary>Least colourfulness (largest minus smallest channel) through brightness of what is not white, 0…1.</summary>
+        public double MinColorfulness { get; set; } = 0.1;
+
+        /// <summary>Light fainter than this share of the headroom may be the little that a colour camera sees of infrared, 0…1.</summary>
+        public double MaxInfraredLeak { get; set; } = 0.25;
+
+        /// <summary>Least green excess of a resting dot that only the colour picture shows, over its surroundings, levels, 1…255.</summary>
+        public int MinGreenExcess { get; set; } = 25;
+
+        /// <summary>Least height of such a dot as a share of the headroom, 0…1: projected green things seldom come near full brightness.</summary>
+        public double MinRestingRise { get; set; } = 0.6;
+
+        /// <summary>Frames in a row in which such a dot must lie in one place, 1…100.</summary>
+        public int RestFrames { get; set; } = 3;
+
+        /// <summary>Resting dots are looked for in one of so many parts of the colour picture a frame, 1…64; in all at the start.</summary>
+        public int PatrolParts { get; set; } = 8;
+
+        /// <summary>Spots that one frame may have examined in each picture, 1…1024: bounds the time.</summary>
+        public int MaxCandidates { get; set; } = 64;
+
+        /// <summary>Least confidence of a dot that the infrared or the resting search found, 0…1.</summary>
+        public double MinConfidence { get; set; } = 0.3;
+
+        /// <summary>Explicit vector instructions where the processor has them; results are the same without.</summary>
+        public bool UseVectors { get; set; } = true;
+
+        /// <exception cref="ArgumentException">A value is outside its range or NaN; the message names it.</exception>
+        public void Validate()
+        {
+            SettingCheck.InRange(nameof(MinInfraredRise), MinInfraredRise, 1, 65535);
+            SettingCheck.InRange(nameof(MinInfraredSigmas), MinInfraredSigmas, 0, 100);
+            SettingCheck.InRange(nameof(MinInfraredShare), MinInfraredShare, 0, 10);
+            SettingCheck.InRange(nameof(MinInfraredAreaPx), MinInfraredAreaPx, 1, 1000);
+            SettingCheck.InRange(nameof(MaxInfraredAreaPx), MaxInfraredAreaPx, 1, 2000);
+            SettingCheck.InRange(nameof(MatchRadiusPx), MatchRadiusPx, 1, 200);
+            SettingCheck.InRange(nameof(MinColorRise), MinColorRise, 1, 255);
+            SettingCheck.InRange(nameof(MinColorSigmas), MinColorSigmas, 0, 100);
+            SettingCheck.InRange(nameof(MaxColorAreaPx), MaxColorAreaPx, 1, 4000);
+            SettingCheck.InRange(nameof(MaxElongation), MaxElongation, 1, 100);
+            SettingCheck.InRange(nameof(MaxRingShare), MaxRingShare, 0, 1);
+            SettingCheck.InRange(nameof(MinGreenShare), MinGreenShare, 0, 1);
+            SettingCheck.InRange(nameof(MinColorfulness), MinColorfulness, 0, 1);
+            SettingCheck.InRange(nameof(MaxInfraredLeak), MaxInfraredLeak, 0, 1);
+            SettingCheck.InRange(nameof(MinGreenExcess), MinGreenExcess, 1, 255);
+            SettingCheck.InRange(nameof(MinRestingRise), MinRestingRise, 0, 1);
+            SettingCheck.InRange(nameof(RestFrames), RestFrames, 1, 100);
+            SettingCheck.InRange(nameof(PatrolParts), PatrolParts, 1, 64);
+            SettingCheck.InRange(nameof(MaxCandidates), MaxCandidates, 1, 1024);
+            SettingCheck.InRange(nameof(MinConfidence), MinConfidence, 0, 1);
+        }
+
+        public DualDetectorSettings Clone() => (DualDetectorSettings)MemberwiseClone();
+    }
+}
