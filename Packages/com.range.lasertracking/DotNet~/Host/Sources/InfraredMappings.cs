@@ -21,7 +21,9 @@ namespace LaserTracking.Host.Sources
             if (source is not KinectRecordingSource { Recording: { InfraredTrack: not null, ColorTrack: not null } recording })
                 return null;
             string reason = "the recording has no device calibration";
-            if (recording.TryReadCalibration(out byte[] json) && KinectCalibration.TryRead(json, recording.Configuration, out KinectCalibration? kinect, out reason))
+            KinectRecordConfiguration configuration = recording.Configuration;
+            if (recording.TryReadCalibration(out byte[] json)
+                && KinectCalibration.TryRead(json, configuration.DepthMode, configuration.ColorWidth, configuration.ColorHeight, out KinectCalibration? kinect, out reason))
             {
                 if (calibration == null)
                     return InfraredMapping.OfCameras(kinect!.Infrared, kinect.Color, kinect.InfraredToColorMm, UsualDistanceMm);

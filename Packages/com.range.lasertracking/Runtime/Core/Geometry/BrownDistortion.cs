@@ -80,8 +80,10 @@ namespace LaserTracking.Geometry
                 error = nextError;
             }
 
-            // Rounding alone leaves about 1e-15; an error of 1e-9 is a millionth of a pixel.
-            return error.LengthSquared < 1e-18 && ray.LengthSquared <= MaxRadius * MaxRadius;
+            // Rounding alone leaves about 1e-15; an error of 1e-9 is a millionth of a pixel. Where the picture is turned over, the
+            // model has left the lens.
+            bool isUpright = xx * yy - xy * yx > 0 && Vector2D.Dot(ray, distorted) >= 0;
+            return error.LengthSquared < 1e-18 && isUpright && ray.LengthSquared <= MaxRadius * MaxRadius;
         }
 
         /// <summary>The distorted ray and its partial derivatives: dx' = xx dx + xy dy, dy' = yx dx + yy dy.</summary>

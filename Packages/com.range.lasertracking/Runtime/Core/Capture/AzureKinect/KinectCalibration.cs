@@ -34,22 +34,24 @@ namespace LaserTracking.Capture.AzureKinect
         public Pose InfraredToColorMm { get; }
 
         /// <param name="json">The attachment's bytes; a zero at the end is accepted.</param>
-        /// <param name="configuration">Which modes the pictures have.</param>
+        /// <param name="depthMode">Mode of the infrared pictures.</param>
+        /// <param name="colorWidth">Width of the colour pictures.</param>
+        /// <param name="colorHeight">Their height.</param>
         /// <param name="calibration">Valid only when true is returned.</param>
         /// <param name="reason">Why there is none, one line; empty on success.</param>
-        public static bool TryRead(byte[] json, KinectRecordConfiguration configuration, out KinectCalibration? calibration, out string reason)
+        public static bool TryRead(byte[] json, KinectDepthMode depthMode, int colorWidth, int colorHeight, out KinectCalibration? calibration, out string reason)
         {
             calibration = null;
             try
             {
                 JObject root = JObject.Parse(Encoding.UTF8.GetString(json).TrimStart('\uFEFF').TrimEnd('\0'));
                 JToken depth = Camera(root, "CALIBRATION_CameraLocationD0"), color = Camera(root, "CALIBRATION_CameraLocationPV0");
-                (int width, int height) = KinectDepthModes.SizeOf(configuration.DepthMode);
-                if (width == 0 || configuration.ColorWidth <= 0)
-                    throw new FormatException("the recording has no infrared or no colour mode");
+                (int width, int height) = KinectDepthModes.SizeOf(depthMode);
+                if (width == 0 || colorWidth <= 0 || colorHeight <= 0)
+                    throw new FormatException("there are no infrared or no colour pictures");
                 Pose fromDepth = Rig(depth), fromColor = Rig(color);
                 var back = new Pose(fromDepth.InverseTransformPoint(default), fromDepth.Rotation.Inverse);
-                calibration = new KinectCalibration(InfraredCamera(depth, configuration.DepthMode, width, height), ColorCamera(color, configuration.ColorWidth, configuration.ColorHeight), fromColor * back);
+                calibration = new KinectCalibration(InfraredCamera(depth, depthMode, width, height), ColorCamera(color, colorWidth, colorHeight), fromColor * back);
                 reason = string.Empty;
                 return true;
             }
