@@ -31,11 +31,8 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("end-to-end-720p", "1280×720 NV12 frame in, scored hit and event line out; 2 shooters, shots all the time", EndToEnd),
         };
 
-        private static Action<int> Detect(string detectorName, int width, int height, PixelFormat format)
-        {
-            var frames = new FrameLoop(FrameLoop.Range(width, height, format, 2, 2000, 90).CreateColorSource(), LoopFrames);
-            return Detect(frames, Sessions.RangeSession.CreateDetector(detectorName));
-        }
+        private static Action<int> Detect(string detectorName, int width, int height, PixelFormat format) =>
+            Detect(DetectFrames(width, height, format, LoopFrames), Sessions.RangeSession.CreateDetector(detectorName));
 
         private static Action<int> Detect(FrameLoop frames, IShotDetector detector)
         {
@@ -52,12 +49,23 @@ namespace LaserTracking.Host.Benchmarks
 
         private static Action<int> Dual()
         {
+            FrameLoop frames = DualFrames(LoopFrames, out SimulatedRange range);
+            return Detect(frames, Sessions.RangeSession.CreateDetector("dual", range.InfraredMapping));
+        }
+
+        /// <summary>The moving scene with two lasers held on, as the detectors' benchmarks see it.</summary>
+        internal static FrameLoop DetectFrames(int width, int height, PixelFormat format, int count) =>
+            new(FrameLoop.Range(width, height, format, 2, 2000, 90).CreateColorSource(), count);
+
+        /// <summary>The same with three 850 nm emitters, in colour and in infrared.</summary>
+        internal static FrameLoop DualFrames(int count, out SimulatedRange range)
+        {
             SimulationScenario scenario = FrameLoop.Scenario(1920, 1080, PixelFormat.Bgra32, 3, 2000, 90);
             scenario.InfraredCamera.Enabled = true;
             foreach (ShooterSettings shooter in scenario.Shooters)
                 shooter.Laser.Color = LaserColor.Infrared;
-            var range = new SimulatedRange(scenario, SimulationScenes.Default());
-            return Detect(new FrameLoop(range.CreateColorSource(), LoopFrames), Sessions.RangeSession.CreateDetector("dual", range.InfraredMapping));
+            range = new SimulatedRange(scenario, SimulationScenes.Default());
+            return new FrameLoop(range.CreateColorSource(), count);
         }
 
         private static Action<int> Hands()
