@@ -85,9 +85,7 @@ namespace LaserTracking.Detection
             double noisiest = 0;
             for (int channel = 0; channel < 3; channel++)
             {
-                for (int i = 0; i < count; i++)
-                    light[i] = (int)(_pixels[i] >> (8 * channel) & 255);
-                _background[channel] = _window.Background(light, out double sigma);
+                _background[channel] = _window.Background(_pixels, channel, out double sigma);
                 noisiest = Math.Max(noisiest, sigma);
             }
 

@@ -17,8 +17,8 @@ namespace LaserTracking.Detection
         /// <summary>The same as a share of the brightness around it, 0…10: a wall's own texture stays below.</summary>
         public double MinInfraredShare { get; set; } = 0.12;
 
-        /// <summary>Least area at half height, infrared px, 1…1000: a defective pixel has one.</summary>
-        public int MinInfraredAreaPx { get; set; } = 2;
+        /// <summary>Pixels among the brightest and its neighbours that must reach a fifth of the height, 1…9: lenses spread light, defects do not.</summary>
+        public int MinInfraredFootPx { get; set; } = 3;
 
         /// <summary>Largest area at half height, infrared px, 1…2000.</summary>
         public int MaxInfraredAreaPx { get; set; } = 200;
@@ -79,7 +79,7 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MinInfraredRise), MinInfraredRise, 1, 65535);
             SettingCheck.InRange(nameof(MinInfraredSigmas), MinInfraredSigmas, 0, 100);
             SettingCheck.InRange(nameof(MinInfraredShare), MinInfraredShare, 0, 10);
-            SettingCheck.InRange(nameof(MinInfraredAreaPx), MinInfraredAreaPx, 1, 1000);
+            SettingCheck.InRange(nameof(MinInfraredFootPx), MinInfraredFootPx, 1, 9);
             SettingCheck.InRange(nameof(MaxInfraredAreaPx), MaxInfraredAreaPx, 1, 2000);
             SettingCheck.InRange(nameof(MatchRadiusPx), MatchRadiusPx, 1, 200);
             SettingCheck.InRange(nameof(MinColorRise), MinColorRise, 1, 255);

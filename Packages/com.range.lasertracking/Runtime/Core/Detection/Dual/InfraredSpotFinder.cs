@@ -189,8 +189,8 @@ namespace LaserTracking.Detection
             least = Math.Max(least, Math.Max(_settings.MinInfraredSigmas * spot.Sigma, _settings.MinInfraredShare * spot.Background));
             if (spot.Rise < least)
                 return Reject(spot, RejectionReason.TooFaint, spot.Rise, least);
-            if (spot.Area < _settings.MinInfraredAreaPx)
-                return Reject(spot, RejectionReason.TooSmall, spot.Area, _settings.MinInfraredAreaPx);
+            if (spot.Foot < _settings.MinInfraredFootPx)
+                return Reject(spot, RejectionReason.TooSmall, spot.Foot, _settings.MinInfraredFootPx);
             if (spot.IsCut || spot.Area > _settings.MaxInfraredAreaPx)
                 return Reject(spot, RejectionReason.TooLarge, spot.Area, _settings.MaxInfraredAreaPx);
             if (spot.Elongation > _settings.MaxElongation)

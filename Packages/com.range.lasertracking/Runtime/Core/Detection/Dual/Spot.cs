@@ -20,6 +20,9 @@ namespace LaserTracking.Detection
 
         /// <summary>Pixels of half the height or more, connected to the brightest.</summary>
         public int Area;
+
+        /// <summary>Pixels among the brightest and its eight neighbours that reach a fifth of the height: 1 for a defective pixel.</summary>
+        public int Foot;
         public int Left;
         public int Top;
         public int Right;

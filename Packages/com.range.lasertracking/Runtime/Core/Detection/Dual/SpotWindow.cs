@@ -17,6 +17,7 @@ namespace LaserTracking.Detection
         private const double FloorPx = 0.05;
 
         private readonly int[] _border = new int[4 * MaxSide];
+        private readonly int[] _borderIndex = new int[4 * MaxSide];
         private readonly int[] _stack = new int[MaxSide * MaxSide];
         private readonly bool[] _isInside = new bool[MaxSide * MaxSide];
 
@@ -31,9 +32,6 @@ namespace LaserTracking.Detection
 
         public int Height { get; private set; }
 
-        /// <summary>Pixels of the last measured spot's half-height area.</summary>
-        public bool[] IsInside => _isInside;
-
         /// <summary>Lays the window around a pixel; false when nothing of it lies in the picture.</summary>
         public bool Place(int x, int y, int radius, int imageWidth, int imageHeight)
         {
@@ -45,17 +43,39 @@ namespace LaserTracking.Detection
             return Width > 0 && Height > 0;
         }
 
-        /// <summary>Median and spread (from the quartiles) of the outermost values.</summary>
-        public int Background(int[] values, out double sigma)
+        /// <summary>Median and spread (from the quartiles) of one channel of the window's outermost pixels (B G R A, laid out like the window).</summary>
+        public int Background(uint[] pixels, int channel, out double sigma)
+        {
+            int count = BorderCount();
+            for (int i = 0; i < count; i++)
+                _border[i] = (int)(pixels[_borderIndex[i]] >> (8 * channel) & 255);
+            return Median(count, out sigma);
+        }
+
+        /// <summary>The same of the light.</summary>
+        private int Background(out double sigma)
+        {
+            int count = BorderCount();
+            for (int i = 0; i < count; i++)
+                _border[i] = Light[_borderIndex[i]];
+            return Median(count, out sigma);
+        }
+
+        private int BorderCount()
         {
             int count = 0;
             for (int y = 0; y < Height; y++)
             {
                 int step = y == 0 || y == Height - 1 ? 1 : Math.Max(1, Width - 1);
                 for (int x = 0; x < Width; x += step)
-                    _border[count++] = values[y * Width + x];
+                    _borderIndex[count++] = y * Width + x;
             }
 
+            return count;
+        }
+
+        private int Median(int count, out double sigma)
+        {
             Array.Sort(_border, 0, count);
             sigma = (_border[3 * count / 4] - _border[count / 4]) / 1.349;
             return _border[count / 2];
@@ -65,9 +85,11 @@ namespace LaserTracking.Detection
         public int Brightest(Vector2D around, double reach)
         {
             int best = -1;
-            for (int y = 0; y < Height; y++)
+            int x0 = Math.Max(0, (int)(around.X - reach) - Left), x1 = Math.Min(Width - 1, (int)(around.X + reach) + 1 - Left);
+            int y0 = Math.Max(0, (int)(around.Y - reach) - Top), y1 = Math.Min(Height - 1, (int)(around.Y + reach) + 1 - Top);
+            for (int y = y0; y <= y1; y++)
             {
-                for (int x = 0; x < Width; x++)
+                for (int x = x0; x <= x1; x++)
                 {
                     double dx = Left + x - around.X, dy = Top + y - around.Y;
                     int i = y * Width + x;
@@ -82,7 +104,7 @@ namespace LaserTracking.Detection
         /// <summary>Measures the spot that has this pixel as its brightest.</summary>
         public Spot Measure(int peak)
         {
-            var spot = new Spot { Background = Background(Light, out double sigma), Sigma = sigma };
+            var spot = new Spot { Background = Background(out double sigma), Sigma = sigma };
             spot.Rise = Light[peak] - spot.Background;
             if (spot.Rise <= 0)
             {
@@ -91,6 +113,7 @@ namespace LaserTracking.Detection
             }
 
             Grow(peak, ref spot);
+            spot.Foot = Foot(peak, spot);
             Moments(ref spot);
             spot.RingShare = RingShare(spot);
             return spot;
@@ -129,6 +152,18 @@ namespace LaserTracking.Detection
             double n = spot.Area, xx = sumXX / n - sumX / n * (sumX / n) + 1 / 12.0, yy = sumYY / n - sumY / n * (sumY / n) + 1 / 12.0;
             double xy = sumXY / n - sumX / n * (sumY / n), mean = (xx + yy) / 2, spread = Math.Sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
             spot.Elongation = Math.Sqrt((mean + spread) / Math.Max(1 / 12.0, mean - spread));
+        }
+
+        private int Foot(int peak, in Spot spot)
+        {
+            int count = 0, px = peak % Width, py = peak / Width;
+            for (int y = Math.Max(0, py - 1); y <= Math.Min(Height - 1, py + 1); y++)
+            {
+                for (int x = Math.Max(0, px - 1); x <= Math.Min(Width - 1, px + 1); x++)
+                    count += Light[y * Width + x] - spot.Background >= SoftThreshold * spot.Rise ? 1 : 0;
+            }
+
+            return count;
         }
 
         private int Push(int i, int half, int count)

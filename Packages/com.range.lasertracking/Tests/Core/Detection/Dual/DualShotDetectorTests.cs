@@ -13,7 +13,7 @@ namespace LaserTracking.Detection
             var run = new DualRun();
             run.Play(2, (r, i) => r.Wall(60).InfraredBox(150, 150, 1, 1, 4000));
             Assert.That(run.Detections.Dots.Length, Is.Zero);
-            Assert.That(run.Rejected.Exists(r => r.Reason == RejectionReason.TooSmall && r.Value == 1 && r.Limit == 2), Is.True);
+            Assert.That(run.Rejected.Exists(r => r.Reason == RejectionReason.TooSmall && r.Value == 1 && r.Limit == 3), Is.True);
         }
 
         [TestCase(40, 40)]
