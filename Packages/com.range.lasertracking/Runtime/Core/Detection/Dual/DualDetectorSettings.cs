@@ -11,8 +11,11 @@ namespace LaserTracking.Detection
         /// <summary>Least height of an infrared spot over its surroundings, counts, 1…65535.</summary>
         public double MinInfraredRise { get; set; } = 20;
 
-        /// <summary>The same in standard deviations of the noise around it, 0…100.</summary>
+        /// <summary>Least light of its brightest 3×3 pixels in standard deviations of what noise makes of as many, 0…100.</summary>
         public double MinInfraredSigmas { get; set; } = 7;
+
+        /// <summary>Least height in standard deviations of the brightness around it, the wall's texture included, 0…100.</summary>
+        public double MinInfraredContrast { get; set; } = 3;
 
         /// <summary>The same as a share of the brightness around it, 0…10: a wall's own texture stays below.</summary>
         public double MinInfraredShare { get; set; } = 0.12;
@@ -78,6 +81,7 @@ namespace LaserTracking.Detection
         {
             SettingCheck.InRange(nameof(MinInfraredRise), MinInfraredRise, 1, 65535);
             SettingCheck.InRange(nameof(MinInfraredSigmas), MinInfraredSigmas, 0, 100);
+            SettingCheck.InRange(nameof(MinInfraredContrast), MinInfraredContrast, 0, 100);
             SettingCheck.InRange(nameof(MinInfraredShare), MinInfraredShare, 0, 10);
             SettingCheck.InRange(nameof(MinInfraredFootPx), MinInfraredFootPx, 1, 9);
             SettingCheck.InRange(nameof(MaxInfraredAreaPx), MaxInfraredAreaPx, 1, 2000);

@@ -14,6 +14,7 @@ namespace LaserTracking.Detection
         private const int MaxDifference = 4095;
         private const int Neighbor = 2;
         private const int WindowRadius = 12;
+        private const double GateSigmas = 2.5;
 
         private readonly DualDetectorSettings _settings;
         private readonly SpotWindow _window = new SpotWindow();
@@ -59,9 +60,11 @@ namespace LaserTracking.Detection
                 }
             }
 
-            double least = Math.Max(_settings.MinInfraredRise, _settings.MinInfraredSigmas * Noise(infrared));
-            int hot = FindHot(columns, rows, (int)Math.Min(65535, least));
-            Examine(infrared, columns, hot, least);
+            double noise = Noise(infrared);
+
+            // Other tiles' brightest pixels lie two to three deviations over their mean already.
+            int hot = FindHot(columns, rows, (int)Math.Min(65535, Math.Max(_settings.MinInfraredRise / 2, GateSigmas * noise)));
+            Examine(infrared, columns, hot, noise);
         }
 
         /// <summary>One standard deviation: from the median difference of neighbours in a few rows, which edges hardly touch.</summary>
@@ -107,7 +110,7 @@ namespace LaserTracking.Detection
             return count;
         }
 
-        private void Examine(Image infrared, int columns, int hot, double least)
+        private void Examine(Image infrared, int columns, int hot, double noise)
         {
             Count = SkippedCount = 0;
             Array.Sort(_hot, 0, hot);
@@ -136,7 +139,7 @@ namespace LaserTracking.Detection
                 spot.Top += _window.Top;
                 spot.Bottom += _window.Top;
                 _spots[Count] = spot;
-                _verdicts[Count++] = Judge(spot, least);
+                _verdicts[Count++] = Judge(spot, noise);
             }
         }
 
@@ -184,11 +187,13 @@ namespace LaserTracking.Detection
             return false;
         }
 
-        private RejectedCandidate Judge(in Spot spot, double least)
+        private RejectedCandidate Judge(in Spot spot, double noise)
         {
-            least = Math.Max(least, Math.Max(_settings.MinInfraredSigmas * spot.Sigma, _settings.MinInfraredShare * spot.Background));
+            double least = Math.Max(_settings.MinInfraredRise, Math.Max(_settings.MinInfraredContrast * spot.Sigma, _settings.MinInfraredShare * spot.Background));
             if (spot.Rise < least)
                 return Reject(spot, RejectionReason.TooFaint, spot.Rise, least);
+            if (spot.CoreLight < 3 * _settings.MinInfraredSigmas * noise)
+                return Reject(spot, RejectionReason.TooFaint, spot.CoreLight, 3 * _settings.MinInfraredSigmas * noise);
             if (spot.Foot < _settings.MinInfraredFootPx)
                 return Reject(spot, RejectionReason.TooSmall, spot.Foot, _settings.MinInfraredFootPx);
             if (spot.IsCut || spot.Area > _settings.MaxInfraredAreaPx)

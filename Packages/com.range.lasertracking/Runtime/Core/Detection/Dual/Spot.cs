@@ -18,6 +18,9 @@ namespace LaserTracking.Detection
         /// <summary>Height of the brightest pixel over the background.</summary>
         public int Rise;
 
+        /// <summary>Light of the brightest pixel and its eight neighbours over what lies four pixels away: stands out of noise where a pixel does not.</summary>
+        public int CoreLight;
+
         /// <summary>Pixels of half the height or more, connected to the brightest.</summary>
         public int Area;
 

@@ -12,6 +12,7 @@ namespace LaserTracking.Detection
         public const int MaxRadius = 40;
         private const int MaxSide = 2 * MaxRadius + 1;
         private const double SoftThreshold = 0.2;
+        private const int CoreReach = 4;
 
         /// <summary>What no amount of light removes: pixel response, speckle. Standard deviation, px.</summary>
         private const double FloorPx = 0.05;
@@ -113,7 +114,7 @@ namespace LaserTracking.Detection
             }
 
             Grow(peak, ref spot);
-            spot.Foot = Foot(peak, spot);
+            Core(peak, ref spot);
             Moments(ref spot);
             spot.RingShare = RingShare(spot);
             return spot;
@@ -154,16 +155,29 @@ namespace LaserTracking.Detection
             spot.Elongation = Math.Sqrt((mean + spread) / Math.Max(1 / 12.0, mean - spread));
         }
 
-        private int Foot(int peak, in Spot spot)
+        /// <summary>Against the square of pixels four away: slow texture, as bright there as here, is no light of the spot's.</summary>
+        private void Core(int peak, ref Spot spot)
         {
-            int count = 0, px = peak % Width, py = peak / Width;
-            for (int y = Math.Max(0, py - 1); y <= Math.Min(Height - 1, py + 1); y++)
+            int px = peak % Width, py = peak / Width, near = 0, around = 0, count = 0;
+            for (int y = Math.Max(0, py - CoreReach); y <= Math.Min(Height - 1, py + CoreReach); y++)
             {
-                for (int x = Math.Max(0, px - 1); x <= Math.Min(Width - 1, px + 1); x++)
-                    count += Light[y * Width + x] - spot.Background >= SoftThreshold * spot.Rise ? 1 : 0;
+                for (int x = Math.Max(0, px - CoreReach); x <= Math.Min(Width - 1, px + CoreReach); x++)
+                {
+                    int light = Light[y * Width + x] - spot.Background, distance = Math.Max(Math.Abs(x - px), Math.Abs(y - py));
+                    if (distance <= 1)
+                    {
+                        near += light;
+                        spot.Foot += light >= SoftThreshold * spot.Rise ? 1 : 0;
+                    }
+                    else if (distance == CoreReach)
+                    {
+                        around += light;
+                        count++;
+                    }
+                }
             }
 
-            return count;
+            spot.CoreLight = near - (count > 0 ? 9 * around / count : 0);
         }
 
         private int Push(int i, int half, int count)
