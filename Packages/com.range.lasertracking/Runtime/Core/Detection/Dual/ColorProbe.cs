@@ -14,6 +14,9 @@ namespace LaserTracking.Detection
         /// <summary>Green headroom below which its silence says nothing, levels.</summary>
         private const int MinHeadroom = 16;
 
+        /// <summary>Share of the headroom from which light is no part of the texture around it, however rough that is.</summary>
+        private const double PlainRise = 0.5;
+
         private readonly DualDetectorSettings _settings;
         private readonly SpotWindow _window = new SpotWindow();
         private readonly uint[] _pixels = new uint[(2 * SpotWindow.MaxRadius + 1) * (2 * SpotWindow.MaxRadius + 1)];
@@ -53,7 +56,7 @@ namespace LaserTracking.Detection
             Spot = spot;
             Strongest(_pixels[peak], out int rise, out double relative);
             RelativeRise = relative;
-            double least = Math.Max(_settings.MinColorRise, _settings.MinColorSigmas * sigma);
+            double least = relative >= PlainRise ? _settings.MinColorRise : Math.Max(_settings.MinColorRise, _settings.MinColorSigmas * sigma);
             if (rise < least)
                 return Fail(RejectionReason.TooFaint, spot.PositionPx, rise, least);
             if (spot.IsCut || spot.Area > _settings.MaxColorAreaPx * scale * scale)
