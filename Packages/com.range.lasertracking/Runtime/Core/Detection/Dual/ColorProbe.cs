@@ -11,7 +11,7 @@ namespace LaserTracking.Detection
     /// </summary>
     internal sealed unsafe class ColorProbe
     {
-        /// <summary>Green headroom below which its silence says nothing, levels.</summary>
+        /// <summary>Headroom of a channel below which its silence says nothing, levels.</summary>
         private const int MinHeadroom = 16;
 
         /// <summary>Share of the headroom from which light is no part of the texture around it, however rough that is.</summary>
@@ -139,12 +139,12 @@ namespace LaserTracking.Detection
             }
 
             GreenShare = colorful > 0 ? green / colorful : 0;
+            if (255 - Math.Max(_background[0], Math.Max(_background[1], _background[2])) < MinHeadroom)
+                return LightHue.Unknown;
             if (colorful < _settings.MinColorfulness * bright)
-                return 255 - _background[1] < MinHeadroom ? LightHue.Unknown : LightHue.White;
+                return LightHue.White;
             if (GreenShare >= _settings.MinGreenShare)
                 return LightHue.Green;
-            if (255 - _background[1] < MinHeadroom)
-                return LightHue.Unknown;
             return magenta >= _settings.MinGreenShare * colorful ? LightHue.Magenta : LightHue.Other;
         }
 

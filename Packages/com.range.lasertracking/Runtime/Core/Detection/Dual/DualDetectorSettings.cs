@@ -61,6 +61,9 @@ namespace LaserTracking.Detection
         /// <summary>Least height of such a dot as a share of the headroom, 0…1: projected green things seldom come near full brightness.</summary>
         public double MinRestingRise { get; set; } = 0.6;
 
+        /// <summary>Largest length through width of such a dot, 1…100: what lies still is not smeared.</summary>
+        public double MaxRestingElongation { get; set; } = 2;
+
         /// <summary>Frames in a row in which such a dot must lie in one place, 1…100.</summary>
         public int RestFrames { get; set; } = 3;
 
@@ -96,6 +99,7 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MaxInfraredLeak), MaxInfraredLeak, 0, 1);
             SettingCheck.InRange(nameof(MinGreenExcess), MinGreenExcess, 1, 255);
             SettingCheck.InRange(nameof(MinRestingRise), MinRestingRise, 0, 1);
+            SettingCheck.InRange(nameof(MaxRestingElongation), MaxRestingElongation, 1, 100);
             SettingCheck.InRange(nameof(RestFrames), RestFrames, 1, 100);
             SettingCheck.InRange(nameof(PatrolParts), PatrolParts, 1, 64);
             SettingCheck.InRange(nameof(MaxCandidates), MaxCandidates, 1, 1024);

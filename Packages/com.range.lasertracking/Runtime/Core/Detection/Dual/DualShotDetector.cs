@@ -14,6 +14,9 @@ namespace LaserTracking.Detection
     public sealed class DualShotDetector : IShotDetector
     {
         private const int MaxDots = 64;
+
+        /// <summary>How far a light may go from one frame to the next, px of a picture 1920 wide: the tracker's own reach.</summary>
+        private const double LinkPx = 120;
         private readonly DualDetectorSettings _settings;
         private readonly InfraredMapping? _calibrated;
         private readonly ShotDetector _flashes;
@@ -29,6 +32,10 @@ namespace LaserTracking.Detection
         private int _width;
         private int _height;
         private int _lastCount;
+        private Vector2D[] _wrong = new Vector2D[MaxDots];
+        private Vector2D[] _wrongBefore = new Vector2D[MaxDots];
+        private int _wrongCount;
+        private int _wrongBeforeCount;
 
         /// <param name="settings">Defaults when absent. Copied.</param>
         /// <param name="mapping">From infrared to colour px; null, or one for pictures of other sizes: equal fields of view.</param>
@@ -58,7 +65,7 @@ namespace LaserTracking.Detection
             _flashes.Reset();
             _resting.Reset();
             _mapping = null;
-            _width = _infraredWidth = _lastCount = 0;
+            _width = _infraredWidth = _lastCount = _wrongCount = _wrongBeforeCount = 0;
         }
 
         /// <summary>Without a colour picture ever, positions are infrared px; a frame that lacks it uses the size of the last one.</summary>
@@ -187,6 +194,9 @@ namespace LaserTracking.Detection
 
         private void AddFlashes(Image color, int confirmed, Detections detections)
         {
+            (_wrong, _wrongBefore) = (_wrongBefore, _wrong);
+            _wrongBeforeCount = _wrongCount;
+            _wrongCount = 0;
             foreach (Dot flash in _found.Dots)
             {
                 Dot dot = flash;
@@ -194,8 +204,13 @@ namespace LaserTracking.Detection
                     continue;
                 LightHue hue = dot.Color == LaserColor.Unknown ? _probe.Look(color, dot.PositionPx, 4 * Scale) : LightHue.Unknown;
                 bool isWrong = dot.Color == LaserColor.Red || hue == LightHue.White || hue == LightHue.Other;
+
+                // A streak may be red in its first frame and too white to tell in the next.
+                isWrong |= dot.Color == LaserColor.Unknown && hue != LightHue.Green && WasWrong(dot.PositionPx);
                 if (isWrong)
                 {
+                    if (_wrongCount < MaxDots)
+                        _wrong[_wrongCount++] = dot.PositionPx;
                     double share = dot.Color == LaserColor.Red ? -1 : _probe.GreenShare;
                     detections.Reject(new RejectedCandidate { PositionPx = dot.PositionPx, Reason = RejectionReason.WrongColor, Value = share, Limit = _settings.MinGreenShare });
                     continue;
@@ -205,6 +220,18 @@ namespace LaserTracking.Detection
                     dot.Color = LaserColor.Green;
                 detections.Add(dot);
             }
+        }
+
+        /// <summary>A light of the wrong colour was here in the frame before.</summary>
+        private bool WasWrong(Vector2D at)
+        {
+            for (int i = 0; i < _wrongBeforeCount; i++)
+            {
+                if ((_wrongBefore[i] - at).Length <= LinkPx * Scale)
+                    return true;
+            }
+
+            return false;
         }
 
         private void AddResting(Image color, Detections detections)
@@ -234,7 +261,7 @@ namespace LaserTracking.Detection
             double moved = double.PositiveInfinity;
             for (int i = 0; i < _lastCount; i++)
                 moved = Math.Min(moved, (_last[i] - dot.PositionPx).Length);
-            double link = 120 * Scale;
+            double link = LinkPx * Scale;
             dot.IsOnset = moved > link;
             dot.Factors = new ConfidenceFactors(
                 0.4 * Math.Min(1, peak), 0.3 * (1 - ringShare), 0.2 * Math.Max(0, 1 - away), dot.IsOnset ? 0.1 : 0.1 * (1 - moved / link));

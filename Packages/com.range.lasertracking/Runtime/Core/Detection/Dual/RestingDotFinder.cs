@@ -140,7 +140,7 @@ namespace LaserTracking.Detection
                     continue;
                 examined++;
                 if (_probe.Look(image, middle, TileKernel.Size * (0.75 + scale)) != LightHue.Green || _probe.RelativeRise < _settings.MinRestingRise
-                    || IsWatched(_probe.Spot.PositionPx, scale, _count))
+                    || _probe.Spot.Elongation > _settings.MaxRestingElongation || IsWatched(_probe.Spot.PositionPx, scale, _count))
                     continue;
                 var dot = default(RestingDot);
                 Take(ref dot);
