@@ -206,7 +206,7 @@ namespace LaserTracking.Detection
                 bool isWrong = dot.Color == LaserColor.Red || hue == LightHue.White || hue == LightHue.Other;
 
                 // A streak may be red in its first frame and too white to tell in the next.
-                isWrong |= dot.Color == LaserColor.Unknown && hue != LightHue.Green && WasWrong(dot.PositionPx);
+                isWrong |= dot.Color == LaserColor.Unknown && WasWrong(dot.PositionPx);
                 if (isWrong)
                 {
                     if (_wrongCount < MaxDots)
