@@ -26,7 +26,7 @@ namespace LaserTracking.Detection
         /// <summary>Largest area at half height, infrared px, 1…2000.</summary>
         public int MaxInfraredAreaPx { get; set; } = 200;
 
-        /// <summary>How far the colour of an infrared spot is searched around the place it is mapped to, colour px, 1…200.</summary>
+        /// <summary>Within this lights of both pictures may be one, colour px, 1…200; a mapping that is sure narrows the search for a spot's colour.</summary>
         public double MatchRadiusPx { get; set; } = 20;
 
         /// <summary>Least height of visible light over its surroundings in its strongest channel, levels, 1…255.</summary>

@@ -17,6 +17,9 @@ namespace LaserTracking.Detection
 
         /// <summary>How far a light may go from one frame to the next, px of a picture 1920 wide: the tracker's own reach.</summary>
         private const double LinkPx = 120;
+        /// <summary>Light this near to a dot is that dot's, px of a picture 1920 wide.</summary>
+        private const double OtherDotPx = 3;
+
         private readonly DualDetectorSettings _settings;
         private readonly InfraredMapping? _calibrated;
         private readonly ShotDetector _flashes;
@@ -116,6 +119,9 @@ namespace LaserTracking.Detection
 
         private double Scale => Math.Max(0.25, _width / 1920.0);
 
+        /// <summary>As far as the mapping may be off, and a little for the light's own width.</summary>
+        private double LookRadiusPx => Math.Min(_settings.MatchRadiusPx, 6 + 3 * _mapping!.SigmaPx) * Scale;
+
         private void AddInfrared(Image infrared, Image? color, Detections detections)
         {
             _infrared.Find(infrared);
@@ -140,7 +146,7 @@ namespace LaserTracking.Detection
         /// <summary>Adds the dot unless its visible light, or its confidence, speaks against it; then says why.</summary>
         private RejectedCandidate JudgeColor(in Spot spot, Vector2D at, Image? color, Detections detections)
         {
-            LightHue hue = color == null ? LightHue.Unknown : _probe.Look(color, at, _settings.MatchRadiusPx * Scale);
+            LightHue hue = color == null ? LightHue.Unknown : _probe.Look(color, at, LookRadiusPx);
             if ((hue == LightHue.White || hue == LightHue.Other) && _probe.RelativeRise < _settings.MaxInfraredLeak)
                 hue = LightHue.Magenta;
             if (hue == LightHue.White || hue == LightHue.Other)
@@ -149,11 +155,21 @@ namespace LaserTracking.Detection
                 return default;
             double share = spot.Rise / (double)Math.Max(1, spot.Rise + spot.Background);
             var dot = new Dot { IsConclusive = true };
-            if (color == null || hue == LightHue.None)
-                Place(spot, at, share, ref dot);
-            else
+            bool isOwnLight = color != null && hue != LightHue.None && NearestPx(_probe.Spot.PositionPx, detections.Dots) > OtherDotPx * Scale;
+            if (isOwnLight)
+            {
                 Place(_probe.Spot, _probe.Peak, ref dot);
-            dot.Color = hue == LightHue.Green ? LaserColor.Green : hue == LightHue.Unknown ? LaserColor.Unknown : LaserColor.Infrared;
+                dot.Color = hue == LightHue.Green ? LaserColor.Green : hue == LightHue.Unknown ? LaserColor.Unknown : LaserColor.Infrared;
+            }
+            else
+            {
+                Place(spot, at, share, ref dot);
+                dot.Color = color == null ? LaserColor.Unknown : LaserColor.Infrared;
+            }
+
+            double other = NearestPx(dot.PositionPx, detections.Dots);
+            if (other <= OtherDotPx * Scale)
+                return new RejectedCandidate { Reason = RejectionReason.Duplicate, Value = other, Limit = OtherDotPx * Scale };
             return Add(ref dot, share, spot.RingShare, detections);
         }
 
@@ -272,15 +288,14 @@ namespace LaserTracking.Detection
             return default;
         }
 
-        private bool IsNear(Vector2D at, ReadOnlySpan<Dot> dots)
-        {
-            foreach (Dot dot in dots)
-            {
-                if ((dot.PositionPx - at).Length <= _settings.MatchRadiusPx * Scale)
-                    return true;
-            }
+        private bool IsNear(Vector2D at, ReadOnlySpan<Dot> dots) => NearestPx(at, dots) <= _settings.MatchRadiusPx * Scale;
 
-            return false;
+        private static double NearestPx(Vector2D at, ReadOnlySpan<Dot> dots)
+        {
+            double nearest = double.PositiveInfinity;
+            foreach (Dot dot in dots)
+                nearest = Math.Min(nearest, (dot.PositionPx - at).Length);
+            return nearest;
         }
     }
 }

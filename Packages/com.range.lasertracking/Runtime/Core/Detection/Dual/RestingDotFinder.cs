@@ -13,6 +13,7 @@ namespace LaserTracking.Detection
     {
         private const int Capacity = 32;
         private const int Neighbor = 3;
+        private const int RowStep = 37;
         private const double RestPx = 2;
         private const double FollowPx = 12;
 
@@ -28,6 +29,7 @@ namespace LaserTracking.Detection
         private PixelFormat _format;
         private int _count;
         private int _turn;
+        private int _examined;
 
         public RestingDotFinder(DualDetectorSettings settings, ColorProbe probe)
         {
@@ -53,8 +55,12 @@ namespace LaserTracking.Detection
                     Reduce(image, row);
             }
 
-            for (int row = 0; row < _tileRows; row++)
+            // Where more looks like a dot than there is time for, another place comes first each time.
+            int first = _turn * RowStep % _tileRows;
+            _examined = 0;
+            for (int i = 0; i < _tileRows; i++)
             {
+                int row = (first + i) % _tileRows;
                 if (isStart || row % _settings.PatrolParts == part)
                     Search(image, row);
             }
@@ -115,7 +121,7 @@ namespace LaserTracking.Detection
                     band = (byte*)rows;
                     stride = 4L * _width;
                     for (int i = 0; i < count; i++)
-                        PixelRow.ToBgra(image, y + i, 0, _width, rows + i * _width);
+                        ReductionKernel.Row(image, y + i, 1, rows + i * _width, _settings.UseVectors);
                 }
 
                 TileKernel.Greenest(band, stride, count, _width, tiles + tileRow * _columns, _settings.UseVectors);
@@ -127,8 +133,7 @@ namespace LaserTracking.Detection
             double scale = Math.Max(0.25, _width / 1920.0);
             int above = (row >= Neighbor ? row - Neighbor : Math.Min(_tileRows - 1, row + Neighbor)) * _columns;
             int below = (row + Neighbor < _tileRows ? row + Neighbor : Math.Max(0, row - Neighbor)) * _columns;
-            int examined = 0;
-            for (int column = 0; column < _columns && _count < Capacity && examined < _settings.MaxCandidates; column++)
+            for (int column = 0; column < _columns && _count < Capacity && _examined < _settings.MaxCandidates; column++)
             {
                 int i = row * _columns + column, floor = _tiles[i] - _settings.MinGreenExcess;
                 int left = row * _columns + (column >= Neighbor ? column - Neighbor : Math.Min(_columns - 1, column + Neighbor));
@@ -138,7 +143,7 @@ namespace LaserTracking.Detection
                 var middle = new Vector2D((column + 0.5) * TileKernel.Size - 0.5, (row + 0.5) * TileKernel.Size - 0.5);
                 if (IsWatched(middle, scale, _count))
                     continue;
-                examined++;
+                _examined++;
                 if (_probe.Look(image, middle, TileKernel.Size * (0.75 + scale)) != LightHue.Green || _probe.RelativeRise < _settings.MinRestingRise
                     || _probe.Spot.Elongation > _settings.MaxRestingElongation || IsWatched(_probe.Spot.PositionPx, scale, _count))
                     continue;

@@ -97,6 +97,16 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        public void Process_TwoInfraredSpotsBesideOneGreenLight_DoNotShareIt()
+        {
+            var run = new DualRun(new DualDetectorSettings { MatchRadiusPx = 60 });
+            run.Play(1, (r, i) => r.Wall(60).GreenInBoth(200, 150).Infrared(214, 150));
+            Assert.That(run.Detections.Dots.Length, Is.EqualTo(2));
+            Assert.That((run.Detections.Dots[0].PositionPx - run.Detections.Dots[1].PositionPx).Length, Is.EqualTo(14).Within(1));
+            Assert.That(run.Detections.Dots[0].Color, Is.Not.EqualTo(run.Detections.Dots[1].Color));
+        }
+
+        [Test]
         public void Process_GreenThingThatMoves_IsNoDotAtRest()
         {
             var run = new DualRun { HasInfrared = false };
