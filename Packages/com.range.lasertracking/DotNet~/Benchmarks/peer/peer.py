@@ -176,8 +176,8 @@ def main():
         ("paper-1080p", "8-bit", PaperTuned(as_it_is), bgra, ["detect-1080p", "paper-1080p"]),
         ("paper-720p-nv12", "float", PaperFloat(from_nv12), nv12, ["detect-720p-nv12"]),
         ("paper-720p-nv12", "8-bit", PaperTuned(from_nv12), nv12, ["detect-720p-nv12"]),
-        ("dual-1080p", "naive", lambda pair: dual_naive(*pair), pairs, ["dual-1080p"]),
-        ("dual-1080p", "region", lambda pair: dual_region(*pair), pairs, ["dual-1080p"]),
+        ("dual-1080p", "naive", lambda pair: dual_naive(*pair), pairs, ["dual-1080p", "dual-infrared-1080p"]),
+        ("dual-1080p", "region", lambda pair: dual_region(*pair), pairs, ["dual-1080p", "dual-infrared-1080p"]),
     ]
     results = [dict(name=name, variant=variant, compare=compare, **measure(operation, frames)) for name, variant, operation, frames, compare in cases]
     print(json.dumps({"opencv": cv2.__version__, "threads": 1, "results": results}))

@@ -24,7 +24,8 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("detect-1080p", "1920×1080 BGRA frame in, shots out; moving scene, 2 dots", () => Detect("shots", 1920, 1080, PixelFormat.Bgra32)),
             new Benchmark("detect-720p-nv12", "1280×720 NV12 frame in, shots out; moving scene, 2 dots", () => Detect("shots", 1280, 720, PixelFormat.Nv12)),
             new Benchmark("paper-1080p", "the published algorithm at 960 px width on 1920×1080 BGRA; moving scene, 2 dots", () => Detect("paper", 1920, 1080, PixelFormat.Bgra32)),
-            new Benchmark("dual-1080p", "1024×1024 16-bit infrared and 1920×1080 BGRA in, shots out; moving scene, 3 dots at 850 nm", Dual),
+            new Benchmark("dual-1080p", "1024×1024 16-bit infrared and 1920×1080 BGRA in, shots out; moving scene, 3 dots at 850 nm", () => Dual(true)),
+            new Benchmark("dual-infrared-1080p", "the same without a search of colour: colour is read around infrared spots only, as in the published module", () => Dual(false)),
             new Benchmark("hands-640x576", "depth frame in, hands out; 2 people", Hands),
             new Benchmark("pair-multiuser", "4 shots of one frame to 4 hands", Pair),
             new Benchmark("decode-720p-mjpg", "one 1280×720 4:2:2 JPEG to YUY2", Decode),
@@ -47,10 +48,10 @@ namespace LaserTracking.Host.Benchmarks
             };
         }
 
-        private static Action<int> Dual()
+        private static Action<int> Dual(bool searchesColor)
         {
             FrameLoop frames = DualFrames(LoopFrames, out SimulatedRange range);
-            return Detect(frames, Sessions.RangeSession.CreateDetector("dual", range.InfraredMapping));
+            return Detect(frames, new DualShotDetector(new DualDetectorSettings { SearchesColor = searchesColor }, range.InfraredMapping));
         }
 
         /// <summary>The moving scene with two lasers held on, as the detectors' benchmarks see it.</summary>

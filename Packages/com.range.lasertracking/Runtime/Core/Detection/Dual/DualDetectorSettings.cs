@@ -76,6 +76,9 @@ namespace LaserTracking.Detection
         /// <summary>Least confidence of a dot that the infrared or the resting search found, 0…1.</summary>
         public double MinConfidence { get; set; } = 0.3;
 
+        /// <summary>False: only what infrared shows can be a dot, as in the published module; colour is read around it and nowhere else.</summary>
+        public bool SearchesColor { get; set; } = true;
+
         /// <summary>Explicit vector instructions where the processor has them; results are the same without.</summary>
         public bool UseVectors { get; set; } = true;
 

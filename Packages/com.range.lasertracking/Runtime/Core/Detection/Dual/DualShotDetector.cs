@@ -82,7 +82,7 @@ namespace LaserTracking.Detection
                 return;
             FitSizes(color, hasColor, infrared, hasInfrared);
             detections.ImageWidthPx = _width;
-            if (hasColor)
+            if (hasColor && _settings.SearchesColor)
                 _flashes.Process(frame, _found);
             else
                 _found.Begin(frame.Index, frame.TimeUs);
@@ -94,7 +94,7 @@ namespace LaserTracking.Detection
                 AddInfrared(infrared, hasColor ? color : null, detections);
             int confirmed = detections.Dots.Length;
             AddFlashes(color, confirmed, detections);
-            if (hasColor)
+            if (hasColor && _settings.SearchesColor)
                 AddResting(color, detections);
             ReadOnlySpan<Dot> dots = detections.Dots;
             _lastCount = Math.Min(MaxDots, dots.Length);
@@ -221,11 +221,12 @@ namespace LaserTracking.Detection
                 LightHue hue = dot.Color == LaserColor.Unknown ? _probe.Look(color, dot.PositionPx, 4 * Scale) : LightHue.Unknown;
                 bool isWrong = dot.Color == LaserColor.Red || hue == LightHue.White || hue == LightHue.Other;
 
-                // A streak may be red in its first frame and too white to tell in the next.
-                isWrong |= dot.Color == LaserColor.Unknown && WasWrong(dot.PositionPx);
+                // A streak may be red in its first frame, and too white to tell or the complement of what it left behind in the next.
+                isWrong |= WasWrong(dot.PositionPx);
                 if (isWrong)
                 {
-                    if (_wrongCount < MaxDots)
+                    // A green light beside it must be able to come out of this a frame later.
+                    if (_wrongCount < MaxDots && dot.Color != LaserColor.Green)
                         _wrong[_wrongCount++] = dot.PositionPx;
                     double share = dot.Color == LaserColor.Red ? -1 : _probe.GreenShare;
                     detections.Reject(new RejectedCandidate { PositionPx = dot.PositionPx, Reason = RejectionReason.WrongColor, Value = share, Limit = _settings.MinGreenShare });

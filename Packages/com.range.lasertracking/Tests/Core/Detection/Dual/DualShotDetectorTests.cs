@@ -107,6 +107,19 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        public void Process_WithoutSearchingColor_OnlyInfraredSpotsCount()
+        {
+            var run = new DualRun(new DualDetectorSettings { SearchesColor = false });
+            run.Play(6, (r, i) =>
+            {
+                r.Wall(60).GreenInBoth(200, 150);
+                r.Color.GreenDot(400, 250, 1.5, 0.3);
+            });
+            Assert.That(run.Detections.Dots.Length, Is.EqualTo(1));
+            Assert.That(run.Detections.Dots[0].PositionPx.X, Is.EqualTo(200).Within(1));
+        }
+
+        [Test]
         public void Process_GreenThingThatMoves_IsNoDotAtRest()
         {
             var run = new DualRun { HasInfrared = false };
