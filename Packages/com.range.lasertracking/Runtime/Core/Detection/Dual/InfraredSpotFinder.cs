@@ -117,7 +117,7 @@ namespace LaserTracking.Detection
             for (int i = 0; i < hot; i++)
             {
                 int tile = (int)(_hot[i] & 0xFFFFFFFF);
-                if (!TryFindPeak(infrared, tile % columns * TileKernel.Size, tile / columns * TileKernel.Size, out int x, out int y) || IsKnown(x, y))
+                if (!TryFindPeak(infrared, tile % columns * TileKernel.Size, tile / columns * TileKernel.Size, out int x, out int y) || !StandsOut(infrared, x, y, noise) || IsKnown(x, y))
                     continue;
                 if (Count == _settings.MaxCandidates)
                 {
@@ -173,6 +173,25 @@ namespace LaserTracking.Detection
 
             return true;
         }
+
+        /// <summary>The test of the inner pixels' light, roughly and at once: what noise makes here and there is no candidate.</summary>
+        private bool StandsOut(Image infrared, int x, int y, double noise)
+        {
+            int near = 0, around = 0;
+            for (int dy = -1; dy <= 1; dy++)
+            {
+                for (int dx = -1; dx <= 1; dx++)
+                {
+                    near += AtEdge(infrared, x + dx, y + dy);
+                    around += dx == 0 && dy == 0 ? 0 : AtEdge(infrared, x + 5 * dx, y + 5 * dy);
+                }
+            }
+
+            return near - 9 * around / 8.0 >= 0.8 * 3 * _settings.MinInfraredSigmas * noise;
+        }
+
+        private static int AtEdge(Image infrared, int x, int y) =>
+            At(infrared, Math.Max(0, Math.Min(infrared.Width - 1, x)), Math.Max(0, Math.Min(infrared.Height - 1, y)));
 
         private static int At(Image infrared, int x, int y) => ((ushort*)(infrared.Pixels + (long)y * infrared.Stride))[x];
 

@@ -124,6 +124,7 @@ namespace LaserTracking.Detection
             {
                 run.Play(1, (r, i) => r.Wall(level));
                 Assert.That(run.Detections.Dots.Length, Is.Zero);
+                Assert.That(run.Detections.OverflowCount, Is.Zero, "noise makes no candidates");
             }
         }
 
