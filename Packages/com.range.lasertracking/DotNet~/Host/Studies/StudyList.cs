@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using LaserTracking.Host.Studies.Clips;
 using LaserTracking.Host.Studies.Simulated;
+using LaserTracking.Host.Studies.Dual;
 
 namespace LaserTracking.Host.Studies
 {
@@ -10,6 +11,7 @@ namespace LaserTracking.Host.Studies
         public static IReadOnlyList<IStudy> All { get; } = new IStudy[]
         {
             new ClipStressStudy(),
+            new AmbientStudy(),
             new PastedDotsStudy(),
             new StaticStudy(),
             new FrameRateStudy(),
