@@ -23,6 +23,7 @@ namespace LaserTracking.Detection
         private readonly NoiseMeter _noise = new NoiseMeter();
         private readonly ContentCeiling _content = new ContentCeiling();
         private readonly ScreenMask _mask = new ScreenMask();
+        private readonly BlindMeter _blind;
         private readonly int[] _reciprocal = new int[256];
         private readonly Candidate[] _candidates;
         private readonly Candidate[] _seeds;
@@ -36,6 +37,7 @@ namespace LaserTracking.Detection
         {
             _settings = settings?.Clone() ?? new ShotDetectorSettings();
             _settings.Validate();
+            _blind = new BlindMeter(_settings);
             _judge = new CandidateJudge(_settings, _blobs);
             _candidates = new Candidate[4 * _settings.MaxCandidates];
             _seeds = new Candidate[_settings.MaxCandidates];
@@ -108,6 +110,7 @@ namespace LaserTracking.Detection
             _judge.Scale = Math.Max(0.25, scale);
             _blobs.Resize(_planes.Width * _planes.Height, (int)(_settings.MaxAreaPx * _judge.Scale * _judge.Scale) + 1);
             _memory.Clear();
+            _blind.Resize();
             _noise.Reset();
             _content.Reset();
             _isSmooth = false;
@@ -124,7 +127,7 @@ namespace LaserTracking.Detection
             SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, detections);
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
-            detections.BlindShare = _planes.SmallestTiles.BusyShare;
+            _blind.Measure(view, _planes.SmallestTiles, _mask, _planes.Factor, _noise.Sigma, _judge.IsContentKnown, detections);
             _memory.ReportTraces(view, detections);
             _memory.Protect(view, _planes.SmallestTiles, _planes.LargestTiles);
             _planes.SmallestTiles.Learn();

@@ -52,22 +52,6 @@ namespace LaserTracking.Detection
             _hot = new int[Columns * Rows];
         }
 
-        /// <summary>Share of the tiles that lately moved by a third of full brightness: an ordinary dot would drown there.</summary>
-        public double BusyShare
-        {
-            get
-            {
-                int busy = 0;
-                foreach (float activity in _activity)
-                {
-                    if (activity >= 85)
-                        busy++;
-                }
-
-                return _activity.Length == 0 ? 0 : busy / (double)_activity.Length;
-            }
-        }
-
         /// <summary>Reduces a row of column maxima to the tiles of one tile row.</summary>
         public unsafe void SetRow(int tileRow, byte* columns, int width)
         {

@@ -58,8 +58,10 @@ namespace LaserTracking.Pipeline
             _scorer = calibration == null ? null : scorer;
             _sink = sink;
             _health = new PipelineHealth(_settings, sink);
-            if (calibration != null)
-                detector.SetScreenPolygon(calibration.Screen.CornersPx);
+            if (calibration == null)
+                return;
+            detector.SetScreenPolygon(calibration.Screen.CornersPx);
+            _health.SetScreenPolygon(calibration.Screen.CornersPx);
         }
 
         /// <summary>The pipeline as live, replay and simulation use it: every step with its defaults, hands and shooters where camera 1 is there.</summary>
@@ -78,6 +80,9 @@ namespace LaserTracking.Pipeline
             var fusion = new ShooterAssignment(camera, new FusionSettings { ScreenAreaM2 = sizeM.X * sizeM.Y });
             return new RangePipeline(detector, new ShotTracker(), calibration, new DepthHandTracker(camera), fusion, scorer, sink, settings);
         }
+
+        /// <summary>Share of the screen, 0…1, in which the last frame could not have shown a dot: too bright, or too much moved.</summary>
+        public double BlindShare => _detections.BlindShare;
 
         /// <summary>Starts a session; once, before the first frame.</summary>
         public void Begin(SessionHeader header) => _sink.Begin(header);

@@ -17,7 +17,7 @@ namespace LaserTracking.Session
             Fact(html, "Without a usable picture").Integer(session.Summary.Dropped).Raw("</dd></div>");
             if (session.Frames.Count > 0)
             {
-                Fact(html, "Picture blind on average").Number(session.Frames.MeanBlindShare * 100, 1).Raw(" %</dd></div>");
+                Fact(html, "Screen blind on average").Number(session.Frames.MeanBlindShare * 100, 1).Raw(" %</dd></div>");
                 Fact(html, "Worst frame").Number(session.Frames.LargestBlindShare * 100, 1).Raw(" % blind</dd></div>");
             }
 
