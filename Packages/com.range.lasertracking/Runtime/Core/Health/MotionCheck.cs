@@ -11,44 +11,70 @@ namespace LaserTracking.Health
     /// </summary>
     internal sealed class MotionCheck
     {
-        private const long CheckUs = 250_000;
+        /// <summary>Blocks looked at in a frame: a look at the whole picture takes six frames.</summary>
+        private const int BlocksAFrame = 2;
+
         private const long SayAgainUs = 5_000_000;
 
         /// <summary>Looks in a row that must agree, and looks without an answer until the picture to compare with is renewed.</summary>
-        private const int LooksToAgree = 3, LooksToRenew = 8;
+        private const int LooksToAgree = 4, LooksToRenew = 10;
 
         private const double AgreeBins = 0.75, StableBins = 0.3, LeastAgreement = 0.6;
         private const int LeastLists = 3;
 
         private readonly PictureMonitorSettings _settings;
-        private readonly double[] _shifts = new double[ShiftProfiles.Lists / 2];
-        private readonly double[] _sorted = new double[ShiftProfiles.Lists / 2];
+        private readonly double[][] _shifts = { new double[ShiftProfiles.Blocks], new double[ShiftProfiles.Blocks] };
+        private readonly double[] _sorted = new double[ShiftProfiles.Blocks];
+        private readonly int[] _counts = new int[2];
         private ShiftProfiles _reference = new ShiftProfiles();
         private ShiftProfiles _now = new ShiftProfiles();
         private Vector2D _last;
         private int _agreed;
         private int _unanswered;
-        private long _checkedUs;
+        private int _block;
+        private bool _hasReference;
         private long _saidUs = long.MinValue;
 
         public MotionCheck(PictureMonitorSettings settings) => _settings = settings;
 
-        public void Reset() => _reference.Clear();
+        public void Reset()
+        {
+            _hasReference = false;
+            _block = _agreed = _unanswered = _counts[0] = _counts[1] = 0;
+        }
 
         public void Update(Image image, HealthWriter health)
         {
-            long now = health.TimeUs;
-            if (_reference.IsFilled && now - _checkedUs < CheckUs && now >= _checkedUs)
-                return;
-            _checkedUs = now;
-            if (!_now.TryFill(image))
-                return;
-            if (!_reference.IsFilled)
+            for (int i = 0; i < BlocksAFrame; i++, _block++)
             {
-                Renew();
-                return;
+                if (!_now.TryFill(image, _block))
+                    return;
+                if (_hasReference)
+                    Match(2 * _block);
             }
 
+            if (_block < ShiftProfiles.Blocks)
+                return;
+            _block = 0;
+            if (_hasReference)
+                Judge(health);
+            else
+                Renew();
+            _hasReference = true;
+            _counts[0] = _counts[1] = 0;
+        }
+
+        private void Match(int list)
+        {
+            for (int axis = 0; axis < 2; axis++)
+            {
+                if (_now.TryMatch(_reference, list + axis, out double found))
+                    _shifts[axis][_counts[axis]++] = found;
+            }
+        }
+
+        private void Judge(HealthWriter health)
+        {
             bool isX = TryAgree(0, out double x), isY = TryAgree(1, out double y);
             if (!isX && !isY)
             {
@@ -63,6 +89,7 @@ namespace LaserTracking.Health
             bool isStable = shift.Length >= _settings.ShiftPx && (_agreed == 0 || (shift - _last).Length <= StableBins);
             _agreed = isStable ? _agreed + 1 : 0;
             _last = shift;
+            long now = health.TimeUs;
             if (_agreed < LooksToAgree || (_saidUs != long.MinValue && now - _saidUs < SayAgainUs && now >= _saidUs))
                 return;
             _saidUs = now;
@@ -79,26 +106,21 @@ namespace LaserTracking.Health
 
         private bool TryAgree(int axis, out double shift)
         {
-            int count = 0;
-            for (int list = axis; list < ShiftProfiles.Lists; list += 2)
-            {
-                if (_now.TryMatch(_reference, list, out double found))
-                    _shifts[count++] = found;
-            }
-
+            int count = _counts[axis];
+            double[] shifts = _shifts[axis];
             shift = 0;
             if (count < LeastLists)
                 return false;
-            Array.Copy(_shifts, _sorted, count);
+            Array.Copy(shifts, _sorted, count);
             Array.Sort(_sorted, 0, count);
             double middle = _sorted[count / 2];
             int agreed = 0;
             for (int i = 0; i < count; i++)
             {
-                if (Math.Abs(_shifts[i] - middle) > AgreeBins)
+                if (Math.Abs(shifts[i] - middle) > AgreeBins)
                     continue;
                 agreed++;
-                shift += (_shifts[i] - shift) / agreed;
+                shift += (shifts[i] - shift) / agreed;
             }
 
             return agreed >= LeastLists && agreed >= LeastAgreement * count;

@@ -11,8 +11,8 @@ namespace LaserTracking.Health
     /// </summary>
     internal sealed unsafe class SampleGrid
     {
-        public const int MostColumns = 48;
-        public const int MostRows = 96;
+        public const int MostColumns = 40;
+        public const int MostRows = 64;
 
         private byte[][] _now = Planes(0);
         private byte[][] _before = Planes(0);
@@ -77,10 +77,14 @@ namespace LaserTracking.Health
             for (int row = 0; row < Rows; row++)
             {
                 int y = (2 * row + 1) * _height / (2 * Rows);
+                uint* bgra = image.Format == PixelFormat.Bgra32 ? (uint*)(image.Pixels + (long)y * image.Stride) : null;
                 for (int column = 0; column < Columns; column++, i++)
                 {
                     uint pixel;
-                    PixelRow.ToBgra(image, y, _x[column], _x[column] + 1, &pixel);
+                    if (bgra != null)
+                        pixel = bgra[_x[column]];
+                    else
+                        PixelRow.ToBgra(image, y, _x[column], _x[column] + 1, &pixel);
                     blue[i] = (byte)pixel;
                     green[i] = (byte)(pixel >> 8);
                     red[i] = (byte)(pixel >> 16);

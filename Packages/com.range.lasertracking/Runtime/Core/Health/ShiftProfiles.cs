@@ -11,7 +11,8 @@ namespace LaserTracking.Health
     {
         public const int BlocksX = 4;
         public const int BlocksY = 3;
-        public const int Lists = 2 * BlocksX * BlocksY;
+        public const int Blocks = BlocksX * BlocksY;
+        public const int Lists = 2 * Blocks;
 
         /// <summary>Largest displacement looked for, bins.</summary>
         public const int Reach = 20;
@@ -22,6 +23,7 @@ namespace LaserTracking.Health
         private const long LeastSlope = 300;
 
         private const double LeastFit = 0.8;
+        private const double StillFit = 0.95;
 
         private int[] _sums = Array.Empty<int>();
 
@@ -31,29 +33,20 @@ namespace LaserTracking.Health
         /// <summary>Pixels of the picture in a bin.</summary>
         public int BinPx { get; private set; }
 
-        public bool IsFilled { get; private set; }
-
-        public void Clear() => IsFilled = false;
-
-        /// <summary>False when the picture is too small for it.</summary>
-        public bool TryFill(Image image)
+        /// <summary>Fills one block from a picture; false when that is too small for it.</summary>
+        public bool TryFill(Image image, int block)
         {
             BinPx = Math.Max(1, image.Width / 640);
             int blockX = image.Width / BinPx / BlocksX, blockY = image.Height / BinPx / BlocksY;
-            IsFilled = blockX > 3 * Reach && blockY > 3 * Reach;
-            if (!IsFilled)
+            if (blockX <= 3 * Reach || blockY <= 3 * Reach)
                 return false;
             int first = image.Format == PixelFormat.Bgra32 ? 1 : 0;
             int step = image.Format == PixelFormat.Bgra32 ? 4 : image.Format == PixelFormat.Yuy2 ? 2 : 1;
-            for (int block = 0; block < BlocksX * BlocksY; block++)
-            {
-                int x0 = block % BlocksX * blockX * BinPx, y0 = block / BlocksX * blockY * BinPx;
-                byte* corner = image.Pixels + first + (long)y0 * image.Stride + (long)x0 * step;
-                long right = (long)step * BinPx, down = (long)image.Stride * BinPx;
-                Slopes[2 * block] = Fill(Slopes[2 * block], corner, right, blockX, down * blockY / Lines / image.Stride * image.Stride);
-                Slopes[2 * block + 1] = Fill(Slopes[2 * block + 1], corner, down, blockY, right * blockX / Lines / step * step);
-            }
-
+            int x0 = block % BlocksX * blockX * BinPx, y0 = block / BlocksX * blockY * BinPx;
+            byte* corner = image.Pixels + first + (long)y0 * image.Stride + (long)x0 * step;
+            long right = (long)step * BinPx, down = (long)image.Stride * BinPx;
+            Slopes[2 * block] = Fill(Slopes[2 * block], corner, right, blockX, down * blockY / Lines / image.Stride * image.Stride);
+            Slopes[2 * block + 1] = Fill(Slopes[2 * block + 1], corner, down, blockY, right * blockX / Lines / step * step);
             return true;
         }
 
@@ -90,9 +83,18 @@ namespace LaserTracking.Health
                 energy += (long)then[i] * then[i];
             if (energy < LeastSlope * (end - first))
                 return false;
-            double best = 0, before = 0, after = 0, last = 0;
-            int at = int.MinValue;
-            for (int d = -Reach; d <= Reach; d++)
+            double best = Fit(now, then, 0, first, end, energy), before = Fit(now, then, -1, first, end, energy), after = Fit(now, then, 1, first, end, energy), last = 0;
+            int at = 0;
+
+            // Nearly always nothing has moved: then the search is spared.
+            bool isAtRest = best >= StillFit && best > before && best > after;
+            if (!isAtRest)
+            {
+                best = before = after = 0;
+                at = int.MinValue;
+            }
+
+            for (int d = -Reach; d <= Reach && !isAtRest; d++)
             {
                 double fit = Fit(now, then, d, first, end, energy);
                 if (at == d - 1)

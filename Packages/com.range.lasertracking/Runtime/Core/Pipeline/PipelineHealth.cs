@@ -13,6 +13,7 @@ namespace LaserTracking.Pipeline
         private const long GapMemoryUs = 10_000_000;
         private const int GapsThatPersist = 3;
         private const long BlindAfterUs = 300_000;
+        private const long OverflowAfterUs = 200_000;
         private const long SeeingAfterUs = 2_000_000;
 
         private readonly PipelineSettings _settings;
@@ -58,8 +59,8 @@ namespace LaserTracking.Pipeline
             if (_blind.Update(blind > limit, blind <= 0.7 * limit, detections.TimeUs, BlindAfterUs, SeeingAfterUs))
                 _health.Say(HealthKind.Blind, blind, _blind.IsOn ? BlindText(blind, detections.SaturatedShare) : FormattableString.Invariant($"a dot can be seen again in {(1 - blind) * 100:F0} % of the screen"));
             int overflow = detections.OverflowCount;
-            if (_overflow.Update(overflow > 0, overflow == 0, detections.TimeUs, 0, SeeingAfterUs) && _overflow.IsOn)
-                _health.Say(HealthKind.Overflow, overflow, "so much changes at once that only the strongest spots are examined; a shot just now could be missed");
+            if (_overflow.Update(overflow > 0, overflow == 0, detections.TimeUs, OverflowAfterUs, SeeingAfterUs) && _overflow.IsOn)
+                _health.Say(HealthKind.Overflow, overflow, "so much changes at once that only the strongest spots are examined and faint shots are missed: mount the camera firmly, and lower its gain if the picture is noisy");
         }
 
         public void ReportInput(FrameProblem problem, long timeUs)
