@@ -13,6 +13,10 @@ namespace LaserTracking.Detection
     public sealed unsafe class ShotDetector : IShotDetector
     {
         private const int GateFloor = 2;
+
+        /// <summary>While the camera shakes, things dim and brighten by how they fall on the pixels: the past must remember longer, levels a frame.</summary>
+        private const int UnsteadyDecay = 1;
+
         private readonly ShotDetectorSettings _settings;
         private readonly DetectionPlanes _planes = new DetectionPlanes();
         private readonly BlobMeasurer _blobs = new BlobMeasurer();
@@ -21,6 +25,7 @@ namespace LaserTracking.Detection
         private readonly DotLocator _locator = new DotLocator();
         private readonly DotMemory _memory = new DotMemory();
         private readonly NoiseMeter _noise = new NoiseMeter();
+        private readonly GlobalChangeMeter _change = new GlobalChangeMeter();
         private readonly ContentCeiling _content = new ContentCeiling();
         private readonly ScreenMask _mask = new ScreenMask();
         private readonly BlindMeter _blind;
@@ -75,7 +80,9 @@ namespace LaserTracking.Detection
                 _noise.Scale(isSmooth ? 0.375 : 1 / 0.375);
             }
 
-            _planes.Update(image, _settings.EnvelopeDecay, _isSmooth, _settings.UseVectors);
+            _change.Measure(image, rawNoise);
+            _content.Scale(_change.Gain);
+            _planes.Update(image, _change, _change.IsUnsteady ? UnsteadyDecay : _settings.EnvelopeDecay, _isSmooth, _settings.UseVectors);
             if (_planes.FrameCount == 2)
             {
                 _planes.SmallestTiles.LearnAtOnce();
@@ -92,6 +99,9 @@ namespace LaserTracking.Detection
                 {
                     Width = _planes.Width,
                     Height = _planes.Height,
+                    ShiftX = _change.ShiftX,
+                    ShiftY = _change.ShiftY,
+                    IsBetweenPixels = _change.IsBetweenPixels,
                     Now = now,
                     Before = before,
                     OldSmallest = oldMin,
@@ -112,6 +122,7 @@ namespace LaserTracking.Detection
             _memory.Clear();
             _blind.Resize();
             _noise.Reset();
+            _change.Reset(_planes.Width, _planes.Height, _planes.Factor);
             _content.Reset();
             _isSmooth = false;
         }
@@ -194,7 +205,7 @@ namespace LaserTracking.Detection
             else
                 _judge.Judge(view, ref candidate, _memory, out known);
             int factor = _planes.Factor;
-            var position = new Vector2D((candidate.CenterX + 0.5) * factor - 0.5, (candidate.CenterY + 0.5) * factor - 0.5);
+            var position = new Vector2D((candidate.CenterX + view.ShiftX + 0.5) * factor - 0.5, (candidate.CenterY + view.ShiftY + 0.5) * factor - 0.5);
             if (candidate.Reason == RejectionReason.None && !_mask.IsWholePicture)
             {
                 double outside = _mask.SignedDistancePx(position);
