@@ -12,7 +12,8 @@ namespace LaserTracking.Detection
     /// </summary>
     public sealed unsafe class ShotDetector : IShotDetector
     {
-        private const int GateFloor = 2;
+        /// <summary>Levels that a tile's largest onset must exceed in any case.</summary>
+        internal const int GateFloor = 2;
 
         /// <summary>While the camera shakes, things dim and brighten by how they fall on the pixels: the past must remember longer, levels a frame.</summary>
         private const int UnsteadyDecay = 1;
@@ -48,6 +49,7 @@ namespace LaserTracking.Detection
             _seeds = new Candidate[_settings.MaxCandidates];
             _seedOrder = new int[_settings.MaxCandidates];
             _finder = new SeedFinder(_settings.MaxCandidates, _blobs, _memory);
+            Probe = new DetectorProbe(_settings, _planes, _change, _judge, _blobs, _finder, _reciprocal);
             for (int headroom = 0; headroom < 256; headroom++)
                 _reciprocal[headroom] = 255 * 256 / (headroom + 8);
         }
@@ -56,6 +58,9 @@ namespace LaserTracking.Detection
 
         /// <summary>Everything examined in the last frame, for tests and explanations.</summary>
         internal ReadOnlySpan<Candidate> Candidates => new ReadOnlySpan<Candidate>(_candidates, 0, _candidateCount);
+
+        /// <summary>To ask what it would have taken in the last frame.</summary>
+        internal DetectorProbe Probe { get; }
 
         public void SetScreenPolygon(Vector2D[] cornersPx) => _mask.Set(cornersPx);
 
@@ -80,6 +85,7 @@ namespace LaserTracking.Detection
                 _noise.Scale(isSmooth ? 0.375 : 1 / 0.375);
             }
 
+            Probe.IsSmooth = _isSmooth;
             _change.Measure(image, rawNoise);
             _content.Scale(_change.Gain);
             _planes.Update(image, _change, _change.IsUnsteady ? UnsteadyDecay : _settings.EnvelopeDecay, _isSmooth, _settings.UseVectors);
@@ -95,21 +101,7 @@ namespace LaserTracking.Detection
             fixed (byte* oldMin = _planes.OldSmallest, newMin = _planes.NewSmallest, oldMax = _planes.OldLargest, newMax = _planes.NewLargest)
             fixed (int* reciprocal = _reciprocal)
             {
-                var view = new FrameView
-                {
-                    Width = _planes.Width,
-                    Height = _planes.Height,
-                    ShiftX = _change.ShiftX,
-                    ShiftY = _change.ShiftY,
-                    IsBetweenPixels = _change.IsBetweenPixels,
-                    Now = now,
-                    Before = before,
-                    OldSmallest = oldMin,
-                    NewSmallest = newMin,
-                    OldLargest = oldMax,
-                    NewLargest = newMax,
-                    Reciprocal = reciprocal,
-                };
+                FrameView view = FrameView.Of(_planes, _change, now, before, oldMin, newMin, oldMax, newMax, reciprocal);
                 Search(image, view, detections);
             }
         }

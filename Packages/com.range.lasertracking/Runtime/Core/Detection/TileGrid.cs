@@ -130,6 +130,11 @@ namespace LaserTracking.Detection
             }
         }
 
-        private int Surprise(int i, int floor) => _onsets[i] - floor - (int)(0.9f * _activity[i]);
+        /// <summary>Whether the tile would be looked into if its largest onset were this.</summary>
+        public bool WouldBeHot(int tile, int onset, int floor) => onset - floor - Ordinary(tile) > 0;
+
+        private int Surprise(int i, int floor) => _onsets[i] - floor - Ordinary(i);
+
+        private int Ordinary(int i) => (int)(0.9f * _activity[i]);
     }
 }

@@ -1,0 +1,202 @@
+using System;
+using LaserTracking.Capture;
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>
+    /// Says what the dimmest and the shortest flash is that will be caught here. Dots of rising power are drawn into the detector's
+    /// working picture all over the screen and put through its own tests, so background, noise, motion and every limit are the
+    /// detector's; how much of a flash an exposure sees follows from its length. On the detector's thread, between frames.
+    /// </summary>
+    public sealed class DetectionAdvisor
+    {
+        private const int PlacesALook = 2;
+        private const double LongestMs = 300;
+
+        /// <summary>The flash by which what to change is judged, ms: the shortest that trainers fire.</summary>
+        private const double ShortFlashMs = 5;
+
+        private readonly ShotDetector _detector;
+        private readonly AdvisorSettings _settings;
+        private readonly PowerLadder[] _ladders;
+        private readonly double[] _risesPerMw;
+        private readonly double[] _levels;
+        private readonly int[] _reasons = new int[256];
+        private ScreenGeometry? _screen;
+        private long _firstUs;
+        private long _lastUs;
+        private int _frames;
+        private int _places;
+
+        /// <param name="detector">Learns from the same frames.</param>
+        /// <param name="settings">Defaults when absent. Copied.</param>
+        /// <param name="screen">Null: the whole picture, as wide as the settings say.</param>
+        /// <exception cref="ArgumentException">A setting is outside its range.</exception>
+        public DetectionAdvisor(ShotDetector detector, AdvisorSettings? settings = null, ScreenGeometry? screen = null)
+        {
+            _detector = detector;
+            _settings = settings?.Clone() ?? new AdvisorSettings();
+            _settings.Validate();
+            _screen = screen;
+            _ladders = new PowerLadder[_settings.Columns * _settings.Rows];
+            for (int i = 0; i < _ladders.Length; i++)
+                _ladders[i] = new PowerLadder();
+            _risesPerMw = new double[_ladders.Length];
+            _levels = new double[_ladders.Length];
+        }
+
+        /// <summary>Some looks were taken.</summary>
+        public bool IsReady => _places > 0;
+
+        /// <summary>Notes a frame's time; every frame that the detector has processed.</summary>
+        public void Note(Frame frame)
+        {
+            if (_frames == 0)
+                _firstUs = frame.TimeUs;
+            _frames++;
+            _lastUs = frame.TimeUs;
+        }
+
+        /// <summary>Tries dots all over the screen on the frame that the detector processed last; costs some ten milliseconds.</summary>
+        public void Look(Frame frame)
+        {
+            DetectorProbe probe = _detector.Probe;
+            if (!frame.Color.IsPresent || !probe.IsReady)
+                return;
+            _screen ??= WholePicture(frame.Color.Width, frame.Color.Height);
+            probe.SetGamma(_settings.Gamma);
+            double whiteLight = _settings.WhiteLight > 0 ? _settings.WhiteLight : Math.Pow(Math.Max(1, probe.ContentLevel) / 255.0, _settings.Gamma);
+            for (int place = 0; place < PlacesALook; place++, _places++)
+            {
+                for (int region = 0; region < _ladders.Length; region++)
+                    Try(probe, region, whiteLight);
+            }
+        }
+
+        /// <summary>What the looks so far amount to.</summary>
+        /// <exception cref="InvalidOperationException">There was no look yet.</exception>
+        public DetectionAdvice Advise()
+        {
+            if (!IsReady)
+                throw new InvalidOperationException("the advisor has not looked at a frame yet");
+            double intervalUs = _frames > 1 ? Math.Max(1, (_lastUs - _firstUs) / (double)(_frames - 1)) : 33_333;
+            double exposureUs = _settings.ExposureUs > 0 ? Math.Min(_settings.ExposureUs, intervalUs) : intervalUs / 2;
+            var regions = new RegionAdvice[_ladders.Length];
+            for (int i = 0; i < regions.Length; i++)
+            {
+                PowerLadder ladder = _ladders[i];
+                double dimmest = ladder.LeastMw(_settings.CaughtShare), level = _levels[i] / _places;
+                double light = Math.Pow(level / 255, _settings.Gamma) + dimmest * _risesPerMw[i] / _places;
+                double rise = 255 * Math.Pow(Math.Min(1, light), 1 / _settings.Gamma) - level;
+                regions[i] = new RegionAdvice(dimmest, rise, ShortestMs(ladder, exposureUs, intervalUs), level);
+            }
+
+            return new DetectionAdvice(_settings, _ladders, regions, intervalUs, exposureUs, Gain(exposureUs, intervalUs));
+        }
+
+        private ScreenGeometry WholePicture(int width, int height)
+        {
+            double scale = _settings.PictureWidthM / width;
+            return new ScreenGeometry(new Homography(new[] { scale, 0, 0, 0, scale, 0, 0, 0, 1 }), new Vector2D(width * scale, height * scale));
+        }
+
+        private void Try(DetectorProbe probe, int region, double whiteLight)
+        {
+            // Two irrational steps fill a region evenly, whatever the number of places.
+            double u = Fraction(0.5 + 0.7548776662466927 * (_places + 7 * region)), v = Fraction(0.5 + 0.5698402909980532 * (_places + 7 * region));
+            Vector2D size = _screen!.ScreenSizeM;
+            var screen = new Vector2D((region % _settings.Columns + u) / _settings.Columns * size.X, (region / _settings.Columns + v) / _settings.Rows * size.Y);
+            Vector2D image = _screen.ToImagePx(screen);
+            _screen.ImageToScreen.Jacobian(image, out double a, out double b, out double c, out double d);
+            double pixelM2 = Math.Abs(a * d - b * c), radius = _settings.DotRadiusMm / 2000;
+            double sigma2 = radius * radius / pixelM2 + _settings.BlurPx * _settings.BlurPx + 1.0 / 12;
+            double perMw = 1e-3 / pixelM2 / _settings.WhiteWPerM2 * whiteLight / (2 * Math.PI * sigma2)
+                * (1 - _settings.HaloShare + 2 * _settings.HaloShare / (_settings.HaloScale * _settings.HaloScale));
+            LaserResponse.Of(_settings.Color, out float red, out float green, out float blue);
+            _risesPerMw[region] += perMw * Math.Max(red, Math.Max(green, blue));
+            _levels[region] += probe.LevelAt(image);
+            PowerLadder ladder = _ladders[region];
+            ladder.BeginTry();
+            for (int step = 0; step < PowerLadder.Steps; step++)
+            {
+                double power = PowerLadder.PowerMw(step), peak = power * perMw;
+                var light = new ProbeLight
+                {
+                    PositionPx = image,
+                    Blue = (float)(peak * blue),
+                    Green = (float)(peak * green),
+                    Red = (float)(peak * red),
+                    SigmaPx = Math.Sqrt(sigma2),
+                    HaloShare = _settings.HaloShare,
+                    HaloScale = _settings.HaloScale,
+                };
+                if (probe.Takes(light, out RejectionReason reason))
+                    ladder.Take(step);
+                else if (power > 0.1 * _settings.PowerMw)
+                    _reasons[(int)reason]++;
+            }
+        }
+
+        private double ShortestMs(PowerLadder ladder, double exposureUs, double intervalUs)
+        {
+            double Caught(double ms) => FlashTiming.Caught(ms * 1000, exposureUs, intervalUs, share => ladder.Share(_settings.PowerMw * share));
+            if (Caught(LongestMs) < _settings.CaughtShare)
+                return double.NaN;
+            double low = 0, high = LongestMs;
+            for (int i = 0; i < 14; i++)
+            {
+                double middle = 0.5 * (low + high);
+                if (Caught(middle) >= _settings.CaughtShare)
+                    high = middle;
+                else
+                    low = middle;
+            }
+
+            return high;
+        }
+
+        private string Gain(double exposureUs, double intervalUs)
+        {
+            double caught = 0;
+            foreach (PowerLadder ladder in _ladders)
+                caught += FlashTiming.Caught(ShortFlashMs * 1000, exposureUs, intervalUs, share => ladder.Share(_settings.PowerMw * share));
+            caught /= _ladders.Length;
+            double between = FlashTiming.Missed(ShortFlashMs * 1000, exposureUs, intervalUs), unseen = 1 - caught - between;
+            if (caught > 0.98)
+                return string.Empty;
+            if (between >= unseen)
+                return FormattableString.Invariant($"{between * 100:F0} % of flashes of {ShortFlashMs:0} ms fall between two exposures: choose the camera's highest frame rate, or an exposure as long as the brightness allows");
+            int worst = 0;
+            for (int i = 1; i < _reasons.Length; i++)
+            {
+                if (_reasons[i] > _reasons[worst])
+                    worst = i;
+            }
+
+            return Remedy((RejectionReason)worst);
+        }
+
+        private string Remedy(RejectionReason reason)
+        {
+            switch (reason)
+            {
+                case RejectionReason.MovingSurroundings:
+                case RejectionReason.NotIsolated:
+                    return "most of what is missed falls on moving parts of the picture: lower the exposure until a dot is brighter than the picture";
+                case RejectionReason.TooSmall:
+                    return "dots are too small in this picture: choose a higher resolution or zoom in on the screen";
+                case RejectionReason.TooLarge:
+                    return "dots are too large in this picture: lower the exposure";
+                default:
+                    bool isBright = _detector.Probe.ContentLevel > 200;
+                    bool isNoisy = _detector.Probe.Noise > 2;
+                    return isBright ? "the picture leaves a dot little room: lower the exposure"
+                        : isNoisy ? "noise hides faint dots: lower the camera's gain"
+                        : "dots are faint here: let the screen fill the camera's picture, or use a stronger laser";
+            }
+        }
+
+        private static double Fraction(double value) => value - Math.Floor(value);
+    }
+}

@@ -1,0 +1,51 @@
+using System;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>How often dots of rising power were taken: a curve from nothing to everything, in steps of one and a half.</summary>
+    internal sealed class PowerLadder
+    {
+        public const int Steps = 26;
+        private const double FirstMw = 2e-4;
+        private const double Ratio = 1.5;
+
+        private readonly int[] _taken = new int[Steps];
+
+        /// <summary>Dots tried at each step.</summary>
+        public int Tried { get; private set; }
+
+        /// <summary>Power of a step, lit for a whole exposure, mW.</summary>
+        public static double PowerMw(int step) => FirstMw * Math.Pow(Ratio, step);
+
+        public void BeginTry() => Tried++;
+
+        public void Take(int step) => _taken[step]++;
+
+        /// <summary>Share taken at a power, 0…1; between the steps along the power's logarithm.</summary>
+        public double Share(double powerMw)
+        {
+            if (Tried == 0 || powerMw <= 0)
+                return 0;
+            double at = Math.Log(powerMw / FirstMw) / Math.Log(Ratio);
+            if (at <= 0)
+                return at < -1 ? 0 : _taken[0] * (1 + at) / Tried;
+            int low = Math.Min(Steps - 1, (int)at), high = Math.Min(Steps - 1, low + 1);
+            double part = Math.Min(1, at - low);
+            return (_taken[low] + part * (_taken[high] - _taken[low])) / Tried;
+        }
+
+        /// <summary>Least power from which this share is taken at every step, mW; NaN: none.</summary>
+        public double LeastMw(double share)
+        {
+            int step = Steps;
+            while (step > 0 && _taken[step - 1] >= share * Tried)
+                step--;
+            if (step == Steps || Tried == 0)
+                return double.NaN;
+            if (step == 0)
+                return FirstMw;
+            double below = _taken[step - 1], part = (share * Tried - below) / Math.Max(1e-9, _taken[step] - below);
+            return PowerMw(step - 1) * Math.Pow(Ratio, Math.Min(1, part));
+        }
+    }
+}
