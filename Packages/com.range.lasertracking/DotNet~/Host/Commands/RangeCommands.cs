@@ -16,6 +16,7 @@ namespace LaserTracking.Host.Commands
                 ScoreCommand.Create(),
                 CalibrateCommand.Create(),
                 StudyCommand.Create(),
+                AdviseCommand.Create(),
                 BenchCommand.Create(),
                 TestCommand.Create(),
                 DoctorCommand.Create(),

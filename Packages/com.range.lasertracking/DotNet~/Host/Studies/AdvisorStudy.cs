@@ -18,19 +18,19 @@ namespace LaserTracking.Host.Studies
     internal sealed class AdvisorStudy : IStudy
     {
         private const double QuietS = 2;
-        private const double IntervalS = 0.35;
-        private const int ShotsPerKind = 12;
-        private const int FramesBetweenLooks = 8;
+        private const double IntervalS = 0.26;
+        private const int ShotsPerKind = 24;
+        private const int FramesBetweenLooks = 4;
 
-        private static readonly double[] PulsesMs = { 5, 12, 40 };
+        private static readonly double[] PulsesMs = { 7, 40 };
         private static readonly Room[] Rooms =
         {
-            new("dim room, 16.7 ms", new[] { 0.004, 0.012, 0.04, 0.4 }, _ => { }),
-            new("lit room, 16.7 ms, white near clipping", new[] { 0.03, 0.1, 0.3, 1.0 }, s => { s.ColorCamera.Gain = 1.7; s.Room.Ambient = 0.15; }),
-            new("dim room, 4 ms", new[] { 0.01, 0.04, 0.15, 1.0 }, s => s.ColorCamera.ExposureUs = 4000),
-            new("noisy camera, 6 ms, gain 3", new[] { 0.01, 0.04, 0.15, 1.0 }, s => { s.ColorCamera.ExposureUs = 6000; s.ColorCamera.Gain = 3; s.ColorCamera.FullWellElectrons = 2500; s.ColorCamera.ReadNoiseElectrons = 9; }),
-            new("720p60 NV12, 8.3 ms", new[] { 0.003, 0.01, 0.03, 0.3 }, s => { s.ColorCamera.Width = 1280; s.ColorCamera.Height = 720; s.ColorCamera.FramesPerSecond = 60; s.ColorCamera.ExposureUs = 8333; s.ColorCamera.Format = PixelFormat.Nv12; }),
-            new("over-exposed, red laser", new[] { 0.1, 0.3, 1.0, 3.0 }, s => { s.ColorCamera.Gain = 2.5; s.Room.Ambient = 0.25; }, LaserColor.Red),
+            new("dim room, 16.7 ms", new[] { 0.015, 0.05, 0.4 }, _ => { }),
+            new("lit room, 16.7 ms, white near clipping", new[] { 0.05, 0.15, 1.0 }, s => { s.ColorCamera.Gain = 1.7; s.Room.Ambient = 0.15; }),
+            new("dim room, 4 ms", new[] { 0.04, 0.12, 1.0 }, s => s.ColorCamera.ExposureUs = 4000),
+            new("noisy camera, 6 ms, gain 3", new[] { 0.04, 0.12, 1.0 }, s => { s.ColorCamera.ExposureUs = 6000; s.ColorCamera.Gain = 3; s.ColorCamera.FullWellElectrons = 2500; s.ColorCamera.ReadNoiseElectrons = 9; }),
+            new("720p60 NV12, 8.3 ms", new[] { 0.02, 0.06, 0.4 }, s => { s.ColorCamera.Width = 1280; s.ColorCamera.Height = 720; s.ColorCamera.FramesPerSecond = 60; s.ColorCamera.ExposureUs = 8333; s.ColorCamera.Format = PixelFormat.Nv12; }),
+            new("over-exposed, red laser", new[] { 0.3, 1.0, 3.0 }, s => { s.ColorCamera.Gain = 2.5; s.Room.Ambient = 0.25; }, LaserColor.Red),
         };
 
         public string Name => "advisor";
@@ -96,9 +96,10 @@ namespace LaserTracking.Host.Studies
                 tracker.Process(detections);
                 if (frame.TimeUs < (QuietS - 0.1) * 1e6)
                 {
-                    advisor.Note(frame);
                     if (frame.Index % FramesBetweenLooks == FramesBetweenLooks - 1)
-                        advisor.Look(frame);
+                        advisor.LookEverywhere(frame);
+                    else
+                        advisor.Note(frame);
                 }
                 else if (!isAdvised)
                 {
@@ -158,7 +159,7 @@ namespace LaserTracking.Host.Studies
             {
                 scenario.Shots.Add(new ShotSettings
                 {
-                    TimeS = QuietS + i * IntervalS + random.NextDouble() * 0.2,
+                    TimeS = QuietS + i * IntervalS + random.NextDouble() * 0.1,
                     Shooter = 1 + kindOfShot[i] / PulsesMs.Length,
                     PulseMs = kinds[kindOfShot[i]].PulseMs,
                     ScreenM = new Vector2D((0.02 + 0.96 * random.NextDouble()) * size.X, (0.02 + 0.96 * random.NextDouble()) * size.Y),

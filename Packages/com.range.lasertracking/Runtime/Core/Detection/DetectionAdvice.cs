@@ -8,14 +8,16 @@ namespace LaserTracking.Detection
     {
         private readonly PowerLadder[] _ladders;
         private readonly AdvisorSettings _settings;
+        private readonly int _maxWaitFrames;
 
-        internal DetectionAdvice(AdvisorSettings settings, PowerLadder[] ladders, RegionAdvice[] regions, double intervalUs, double exposureUs, string gain)
+        internal DetectionAdvice(AdvisorSettings settings, PowerLadder[] ladders, RegionAdvice[] regions, double intervalUs, double exposureUs, int maxWaitFrames, string gain)
         {
             _settings = settings;
             _ladders = ladders;
             Regions = regions;
             IntervalUs = intervalUs;
             ExposureUs = exposureUs;
+            _maxWaitFrames = maxWaitFrames;
             Gain = gain;
         }
 
@@ -88,8 +90,7 @@ namespace LaserTracking.Detection
         /// <summary>The same in one part of the screen.</summary>
         public double Probability(int region, double powerMw, double pulseMs)
         {
-            PowerLadder ladder = _ladders[region];
-            return FlashTiming.Caught(pulseMs * 1000, ExposureUs, IntervalUs, share => ladder.Share(powerMw * share));
+            return _ladders[region].Caught(powerMw, pulseMs * 1000, ExposureUs, IntervalUs, _maxWaitFrames);
         }
 
         private double NineOfTen(Func<RegionAdvice, double> value)

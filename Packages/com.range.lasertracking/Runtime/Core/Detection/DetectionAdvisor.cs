@@ -11,7 +11,6 @@ namespace LaserTracking.Detection
     /// </summary>
     public sealed class DetectionAdvisor
     {
-        private const int PlacesALook = 2;
         private const double LongestMs = 300;
 
         /// <summary>The flash by which what to change is judged, ms: the shortest that trainers fire.</summary>
@@ -27,7 +26,7 @@ namespace LaserTracking.Detection
         private long _firstUs;
         private long _lastUs;
         private int _frames;
-        private int _places;
+        private int _region;
 
         /// <param name="detector">Learns from the same frames.</param>
         /// <param name="settings">Defaults when absent. Copied.</param>
@@ -46,53 +45,65 @@ namespace LaserTracking.Detection
             _levels = new double[_ladders.Length];
         }
 
-        /// <summary>Some looks were taken.</summary>
-        public bool IsReady => _places > 0;
+        /// <summary>How often all parts of the screen were looked at.</summary>
+        public int Rounds { get; private set; }
 
-        /// <summary>Notes a frame's time; every frame that the detector has processed.</summary>
-        public void Note(Frame frame)
+        /// <summary>
+        /// Takes the frame that the detector processed last, every frame in turn, and tries dots at one place of the screen; costs less
+        /// than a millisecond. A round over all parts of the map takes as many frames.
+        /// </summary>
+        public void Look(Frame frame)
+        {
+            if (!Note(frame))
+                return;
+            Try(_detector.Probe, _region);
+            _region = (_region + 1) % _ladders.Length;
+            if (_region == 0)
+                Rounds++;
+        }
+
+        /// <summary>As <see cref="Look"/>, at one place in every part of the screen: a whole round, some ten milliseconds.</summary>
+        public void LookEverywhere(Frame frame)
+        {
+            if (!Note(frame))
+                return;
+            for (int region = 0; region < _ladders.Length; region++)
+                Try(_detector.Probe, region);
+            Rounds++;
+        }
+
+        /// <summary>Only takes note of the frame's time.</summary>
+        public bool Note(Frame frame)
         {
             if (_frames == 0)
                 _firstUs = frame.TimeUs;
             _frames++;
             _lastUs = frame.TimeUs;
-        }
-
-        /// <summary>Tries dots all over the screen on the frame that the detector processed last; costs some ten milliseconds.</summary>
-        public void Look(Frame frame)
-        {
-            DetectorProbe probe = _detector.Probe;
-            if (!frame.Color.IsPresent || !probe.IsReady)
-                return;
+            if (!frame.Color.IsPresent || !_detector.Probe.IsReady)
+                return false;
             _screen ??= WholePicture(frame.Color.Width, frame.Color.Height);
-            probe.SetGamma(_settings.Gamma);
-            double whiteLight = _settings.WhiteLight > 0 ? _settings.WhiteLight : Math.Pow(Math.Max(1, probe.ContentLevel) / 255.0, _settings.Gamma);
-            for (int place = 0; place < PlacesALook; place++, _places++)
-            {
-                for (int region = 0; region < _ladders.Length; region++)
-                    Try(probe, region, whiteLight);
-            }
+            return true;
         }
 
         /// <summary>What the looks so far amount to.</summary>
-        /// <exception cref="InvalidOperationException">There was no look yet.</exception>
+        /// <exception cref="InvalidOperationException">No round was finished yet.</exception>
         public DetectionAdvice Advise()
         {
-            if (!IsReady)
-                throw new InvalidOperationException("the advisor has not looked at a frame yet");
+            if (Rounds == 0)
+                throw new InvalidOperationException("the advisor has not looked at every part of the screen yet");
             double intervalUs = _frames > 1 ? Math.Max(1, (_lastUs - _firstUs) / (double)(_frames - 1)) : 33_333;
             double exposureUs = _settings.ExposureUs > 0 ? Math.Min(_settings.ExposureUs, intervalUs) : intervalUs / 2;
             var regions = new RegionAdvice[_ladders.Length];
             for (int i = 0; i < regions.Length; i++)
             {
                 PowerLadder ladder = _ladders[i];
-                double dimmest = ladder.LeastMw(_settings.CaughtShare), level = _levels[i] / _places;
-                double light = Math.Pow(level / 255, _settings.Gamma) + dimmest * _risesPerMw[i] / _places;
+                double dimmest = ladder.LeastMw(_settings.CaughtShare), level = _levels[i] / ladder.Tried;
+                double light = Math.Pow(level / 255, _settings.Gamma) + dimmest * _risesPerMw[i] / ladder.Tried;
                 double rise = 255 * Math.Pow(Math.Min(1, light), 1 / _settings.Gamma) - level;
                 regions[i] = new RegionAdvice(dimmest, rise, ShortestMs(ladder, exposureUs, intervalUs), level);
             }
 
-            return new DetectionAdvice(_settings, _ladders, regions, intervalUs, exposureUs, Gain(exposureUs, intervalUs));
+            return new DetectionAdvice(_settings, _ladders, regions, intervalUs, exposureUs, _detector.Probe.MaxWaitFrames, Gain(exposureUs, intervalUs));
         }
 
         private ScreenGeometry WholePicture(int width, int height)
@@ -101,10 +112,14 @@ namespace LaserTracking.Detection
             return new ScreenGeometry(new Homography(new[] { scale, 0, 0, 0, scale, 0, 0, 0, 1 }), new Vector2D(width * scale, height * scale));
         }
 
-        private void Try(DetectorProbe probe, int region, double whiteLight)
+        private void Try(DetectorProbe probe, int region)
         {
+            probe.SetGamma(_settings.Gamma);
+            double whiteLight = _settings.WhiteLight > 0 ? _settings.WhiteLight : Math.Pow(Math.Max(1, probe.ContentLevel) / 255.0, _settings.Gamma);
+            PowerLadder ladder = _ladders[region];
+
             // Two irrational steps fill a region evenly, whatever the number of places.
-            double u = Fraction(0.5 + 0.7548776662466927 * (_places + 7 * region)), v = Fraction(0.5 + 0.5698402909980532 * (_places + 7 * region));
+            double u = Fraction(0.5 + 0.7548776662466927 * (ladder.Tried + 7 * region)), v = Fraction(0.5 + 0.5698402909980532 * (ladder.Tried + 7 * region));
             Vector2D size = _screen!.ScreenSizeM;
             var screen = new Vector2D((region % _settings.Columns + u) / _settings.Columns * size.X, (region / _settings.Columns + v) / _settings.Rows * size.Y);
             Vector2D image = _screen.ToImagePx(screen);
@@ -116,7 +131,6 @@ namespace LaserTracking.Detection
             LaserResponse.Of(_settings.Color, out float red, out float green, out float blue);
             _risesPerMw[region] += perMw * Math.Max(red, Math.Max(green, blue));
             _levels[region] += probe.LevelAt(image);
-            PowerLadder ladder = _ladders[region];
             ladder.BeginTry();
             for (int step = 0; step < PowerLadder.Steps; step++)
             {
@@ -131,8 +145,8 @@ namespace LaserTracking.Detection
                     HaloShare = _settings.HaloShare,
                     HaloScale = _settings.HaloScale,
                 };
-                if (probe.Takes(light, out RejectionReason reason))
-                    ladder.Take(step);
+                if (probe.Takes(light, out bool isConclusive, out RejectionReason reason))
+                    ladder.Take(step, isConclusive);
                 else if (power > 0.1 * _settings.PowerMw)
                     _reasons[(int)reason]++;
             }
@@ -140,7 +154,7 @@ namespace LaserTracking.Detection
 
         private double ShortestMs(PowerLadder ladder, double exposureUs, double intervalUs)
         {
-            double Caught(double ms) => FlashTiming.Caught(ms * 1000, exposureUs, intervalUs, share => ladder.Share(_settings.PowerMw * share));
+            double Caught(double ms) => ladder.Caught(_settings.PowerMw, ms * 1000, exposureUs, intervalUs, _detector.Probe.MaxWaitFrames);
             if (Caught(LongestMs) < _settings.CaughtShare)
                 return double.NaN;
             double low = 0, high = LongestMs;
@@ -160,7 +174,7 @@ namespace LaserTracking.Detection
         {
             double caught = 0;
             foreach (PowerLadder ladder in _ladders)
-                caught += FlashTiming.Caught(ShortFlashMs * 1000, exposureUs, intervalUs, share => ladder.Share(_settings.PowerMw * share));
+                caught += ladder.Caught(_settings.PowerMw, ShortFlashMs * 1000, exposureUs, intervalUs, _detector.Probe.MaxWaitFrames);
             caught /= _ladders.Length;
             double between = FlashTiming.Missed(ShortFlashMs * 1000, exposureUs, intervalUs), unseen = 1 - caught - between;
             if (caught > 0.98)

@@ -49,6 +49,9 @@ namespace LaserTracking.Detection
 
         public double Noise => _judge.Noise;
 
+        /// <summary>Frames that what is not conclusive may last.</summary>
+        public int MaxWaitFrames => _settings.MaxWaitFrames;
+
         /// <summary>Brightness of the projected picture's brightest parts, levels.</summary>
         public int ContentLevel => _judge.ContentLevel;
 
@@ -70,14 +73,15 @@ namespace LaserTracking.Detection
             return FrameView.Level(_planes.Now[y * _planes.Width + x], DetectionPlane.Largest);
         }
 
-        /// <summary>True when the detector would have made a dot of it; else why not.</summary>
-        public bool Takes(in ProbeLight light, out RejectionReason reason)
+        /// <summary>True when the detector would have made a dot of it, and whether one frame suffices; else why not.</summary>
+        public bool Takes(in ProbeLight light, out bool isConclusive, out RejectionReason reason)
         {
             int centerX = (int)Math.Round((light.PositionPx.X + 0.5) / Factor - 0.5) - _change.ShiftX;
             int centerY = (int)Math.Round((light.PositionPx.Y + 0.5) / Factor - 0.5) - _change.ShiftY;
             int left = Math.Max(0, centerX - Reach), right = Math.Min(_planes.Width - 1, centerX + Reach);
             int top = Math.Max(0, centerY - Reach), bottom = Math.Min(_planes.Height - 1, centerY + Reach);
             reason = RejectionReason.TooFaint;
+            isConclusive = false;
             if (left > right || top > bottom)
                 return false;
             fixed (uint* now = _planes.Now, before = _planes.Before)
@@ -92,7 +96,7 @@ namespace LaserTracking.Detection
                 }
 
                 Draw(light, view, left, top, right, bottom);
-                bool isTaken = IsTaken(view, centerX, centerY, left, top, right, bottom, ref reason);
+                bool isTaken = IsTaken(view, centerX, centerY, left, top, right, bottom, out isConclusive, ref reason);
                 for (int y = top; y <= bottom; y++)
                 {
                     for (int x = left; x <= right; x++)
@@ -172,8 +176,9 @@ namespace LaserTracking.Detection
             return (int)(old + sum / weight + 0.5f);
         }
 
-        private bool IsTaken(in FrameView view, int centerX, int centerY, int left, int top, int right, int bottom, ref RejectionReason reason)
+        private bool IsTaken(in FrameView view, int centerX, int centerY, int left, int top, int right, int bottom, out bool isConclusive, ref RejectionReason reason)
         {
+            bool isTaken = isConclusive = false;
             for (int p = 0; p < 2; p++)
             {
                 var plane = (DetectionPlane)p;
@@ -192,15 +197,13 @@ namespace LaserTracking.Detection
                         candidate.Activity = tiles.Activity(tile);
                         candidate.ActivityAround = tiles.ActivityAround(tile);
                         _judge.Judge(view, ref candidate, _nothing, out _);
-                        if (candidate.Reason == RejectionReason.None)
-                            return true;
-                        reason = candidate.Reason;
+                        Note(candidate, ref isTaken, ref isConclusive, ref reason);
                     }
                 }
             }
 
-            if (!_judge.IsContentKnown)
-                return false;
+            if (!_judge.IsContentKnown || isConclusive)
+                return isTaken;
             _blobs.Begin();
             int limit = _judge.ContentLevel + _settings.MinContentExcess;
             for (int row = top / TileGrid.Size; row <= bottom / TileGrid.Size; row++)
@@ -212,13 +215,19 @@ namespace LaserTracking.Detection
                         continue;
                     candidate.Activity = _planes.LargestTiles.Activity(row * _planes.LargestTiles.Columns + column);
                     _judge.JudgeAboveContent(view, ref candidate, _nothing, out _);
-                    if (candidate.Reason == RejectionReason.None)
-                        return true;
-                    reason = candidate.Reason;
+                    Note(candidate, ref isTaken, ref isConclusive, ref reason);
                 }
             }
 
-            return false;
+            return isTaken;
+        }
+
+        private static void Note(in Candidate candidate, ref bool isTaken, ref bool isConclusive, ref RejectionReason reason)
+        {
+            isTaken |= candidate.Reason == RejectionReason.None;
+            isConclusive |= candidate.Reason == RejectionReason.None && candidate.IsConclusive;
+            if (candidate.Reason != RejectionReason.None)
+                reason = candidate.Reason;
         }
 
         private static bool IsHere(in Candidate candidate, int centerX, int centerY) =>

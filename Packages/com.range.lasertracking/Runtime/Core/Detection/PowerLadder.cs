@@ -10,6 +10,7 @@ namespace LaserTracking.Detection
         private const double Ratio = 1.5;
 
         private readonly int[] _taken = new int[Steps];
+        private readonly int[] _conclusive = new int[Steps];
 
         /// <summary>Dots tried at each step.</summary>
         public int Tried { get; private set; }
@@ -19,20 +20,22 @@ namespace LaserTracking.Detection
 
         public void BeginTry() => Tried++;
 
-        public void Take(int step) => _taken[step]++;
+        public void Take(int step, bool isConclusive)
+        {
+            _taken[step]++;
+            if (isConclusive)
+                _conclusive[step]++;
+        }
+
+        /// <summary>Probability that a flash is caught.</summary>
+        public double Caught(double powerMw, double pulseUs, double exposureUs, double intervalUs, int maxWaitFrames) => FlashTiming.Caught(
+            pulseUs, exposureUs, intervalUs, maxWaitFrames, share => Taken(powerMw * share), share => Conclusive(powerMw * share));
 
         /// <summary>Share taken at a power, 0…1; between the steps along the power's logarithm.</summary>
-        public double Share(double powerMw)
-        {
-            if (Tried == 0 || powerMw <= 0)
-                return 0;
-            double at = Math.Log(powerMw / FirstMw) / Math.Log(Ratio);
-            if (at <= 0)
-                return at < -1 ? 0 : _taken[0] * (1 + at) / Tried;
-            int low = Math.Min(Steps - 1, (int)at), high = Math.Min(Steps - 1, low + 1);
-            double part = Math.Min(1, at - low);
-            return (_taken[low] + part * (_taken[high] - _taken[low])) / Tried;
-        }
+        public double Taken(double powerMw) => Share(_taken, powerMw);
+
+        /// <summary>Share of those for which one frame sufficed.</summary>
+        public double Conclusive(double powerMw) => Share(_conclusive, powerMw);
 
         /// <summary>Least power from which this share is taken at every step, mW; NaN: none.</summary>
         public double LeastMw(double share)
@@ -46,6 +49,18 @@ namespace LaserTracking.Detection
                 return FirstMw;
             double below = _taken[step - 1], part = (share * Tried - below) / Math.Max(1e-9, _taken[step] - below);
             return PowerMw(step - 1) * Math.Pow(Ratio, Math.Min(1, part));
+        }
+
+        private double Share(int[] counts, double powerMw)
+        {
+            if (Tried == 0 || powerMw <= 0)
+                return 0;
+            double at = Math.Log(powerMw / FirstMw) / Math.Log(Ratio);
+            if (at <= 0)
+                return at < -1 ? 0 : counts[0] * (1 + at) / Tried;
+            int low = Math.Min(Steps - 1, (int)at), high = Math.Min(Steps - 1, low + 1);
+            double part = Math.Min(1, at - low);
+            return (counts[low] + part * (counts[high] - counts[low])) / Tried;
         }
     }
 }

@@ -10,6 +10,7 @@ namespace LaserTracking.Pipeline
     /// <summary>Watches the stream, the picture and the detector and says once, not every frame, when something is wrong.</summary>
     internal sealed class PipelineHealth
     {
+        private const int RoundsOfAdvice = 3;
         private const long GapMemoryUs = 10_000_000;
         private const int GapsThatPersist = 3;
         private const long BlindAfterUs = 300_000;
@@ -19,6 +20,7 @@ namespace LaserTracking.Pipeline
         private readonly PipelineSettings _settings;
         private readonly HealthWriter _health;
         private readonly PictureMonitor _monitor;
+        private DetectionAdvisor? _advisor;
         private long _lastTimeUs = long.MinValue;
         private double _usualIntervalUs;
         private long _firstGapUs = long.MinValue;
@@ -30,14 +32,20 @@ namespace LaserTracking.Pipeline
         private Condition _overflow;
         private bool _hadPicture = true;
 
-        public PipelineHealth(PipelineSettings settings, IEventSink sink)
+        /// <param name="settings">Of the pipeline.</param>
+        /// <param name="sink">Receives what is noticed.</param>
+        /// <param name="detector">Asked what it can see; other detectors than the default one cannot be.</param>
+        /// <param name="screen">Where the screen is; null: the whole picture.</param>
+        public PipelineHealth(PipelineSettings settings, IEventSink sink, IShotDetector detector, ScreenGeometry? screen)
         {
             _settings = settings;
             _health = new HealthWriter(sink);
             _monitor = new PictureMonitor(sink, settings.Monitor);
+            if (screen != null)
+                _monitor.SetScreenPolygon(screen.CornersPx);
+            if (settings.Advisor != null && detector is ShotDetector shots)
+                _advisor = new DetectionAdvisor(shots, settings.Advisor, screen);
         }
-
-        public void SetScreenPolygon(Vector2D[] cornersPx) => _monitor.SetScreenPolygon(cornersPx);
 
         public void CheckFrame(Frame frame, bool hasPicture)
         {
@@ -52,9 +60,10 @@ namespace LaserTracking.Pipeline
                 _monitor.Process(frame);
         }
 
-        public void CheckDetections(Detections detections)
+        public void CheckDetections(Frame frame, Detections detections)
         {
             _health.Begin(detections.FrameIndex, detections.TimeUs);
+            Advise(frame);
             double blind = detections.BlindShare, limit = _settings.BlindShareLimit;
             if (_blind.Update(blind > limit, blind <= 0.7 * limit, detections.TimeUs, BlindAfterUs, SeeingAfterUs))
                 _health.Say(HealthKind.Blind, blind, _blind.IsOn ? BlindText(blind, detections.SaturatedShare) : FormattableString.Invariant($"a dot can be seen again in {(1 - blind) * 100:F0} % of the screen"));
@@ -67,6 +76,19 @@ namespace LaserTracking.Pipeline
         {
             _health.Begin(problem.FrameIndex, timeUs);
             _health.Say(HealthKind.Input, problem.Offset, problem.What);
+        }
+
+        /// <summary>Once, after a few looks at every part of the screen.</summary>
+        private void Advise(Frame frame)
+        {
+            if (_advisor == null)
+                return;
+            _advisor.Look(frame);
+            if (_advisor.Rounds < RoundsOfAdvice)
+                return;
+            DetectionAdvice advice = _advisor.Advise();
+            _health.Say(HealthKind.Advice, advice.DimmestMw, advice.Sentence);
+            _advisor = null;
         }
 
         private static string BlindText(double blind, double saturated)

@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Detection;
 using LaserTracking.Health;
 
 namespace LaserTracking.Pipeline
@@ -20,6 +21,9 @@ namespace LaserTracking.Pipeline
         /// <summary>When the picture itself is worth a word.</summary>
         public PictureMonitorSettings Monitor { get; set; } = new PictureMonitorSettings();
 
+        /// <summary>What is said about what can be seen here after the first seconds; null: nothing.</summary>
+        public AdvisorSettings? Advisor { get; set; } = new AdvisorSettings();
+
         /// <exception cref="ArgumentException">A value is outside its range.</exception>
         public void Validate()
         {
@@ -28,6 +32,7 @@ namespace LaserTracking.Pipeline
             if (!(FrameGapFactor > 1) || double.IsInfinity(FrameGapFactor))
                 throw new ArgumentException("FrameGapFactor must be above 1");
             Monitor.Validate();
+            Advisor?.Validate();
         }
     }
 }

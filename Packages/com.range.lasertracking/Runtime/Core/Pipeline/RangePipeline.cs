@@ -57,11 +57,9 @@ namespace LaserTracking.Pipeline
             _fusion = _handTracker == null ? null : fusion;
             _scorer = calibration == null ? null : scorer;
             _sink = sink;
-            _health = new PipelineHealth(_settings, sink);
-            if (calibration == null)
-                return;
-            detector.SetScreenPolygon(calibration.Screen.CornersPx);
-            _health.SetScreenPolygon(calibration.Screen.CornersPx);
+            _health = new PipelineHealth(_settings, sink, detector, calibration?.Screen);
+            if (calibration != null)
+                detector.SetScreenPolygon(calibration.Screen.CornersPx);
         }
 
         /// <summary>The pipeline as live, replay and simulation use it: every step with its defaults, hands and shooters where camera 1 is there.</summary>
@@ -110,7 +108,7 @@ namespace LaserTracking.Pipeline
                 _tracker.Process(_detections);
             else
                 return;
-            _health.CheckDetections(_detections);
+            _health.CheckDetections(frame, _detections);
             ReportRejected(_detections.Rejected);
             ReportRejected(_tracker.Rejected);
             ReportShots();

@@ -57,7 +57,7 @@ namespace LaserTracking.Session
             foreach (HealthEvent health in data.Session.Health)
             {
                 double time = (health.TimeUs - data.Session.StartTimeUs) * 1e-6;
-                if (time >= start && time <= end)
+                if (health.Kind != HealthKind.Advice && time >= start && time <= end)
                     html.Raw("<path d=\"M").Number(At(time, start, end), 1).Raw(" 2l4 7h-8z\"><title>").Text(health.Text).Raw("</title></path>");
             }
 
