@@ -97,7 +97,7 @@ namespace LaserTracking.Host.Commands
             Console.WriteLine(char.ToUpperInvariant(advice.Sentence[0]) + advice.Sentence[1..] + ".");
             Console.WriteLine();
             Map("shortest flash caught, ms", advice, region => region.ShortestMs, "0.#");
-            Map("dimmest steady dot caught, rise in levels", advice, region => region.DimmestLevels, "0");
+            Map("dimmest dot caught when lit for a whole exposure, rise in levels", advice, region => region.DimmestLevels, "0");
             string exposure = settings.ExposureUs > 0 ? "as given" : "assumed: give --exposure-us";
             string size = isCalibrated ? "the calibration's" : FormattableString.Invariant($"a picture {settings.PictureWidthM:0.##} m wide (assumed: give --calibration or --picture-width-m)");
             Console.WriteLine(FormattableString.Invariant($"Taken for given: exposure {advice.ExposureUs / 1000:0.#} ms of {advice.IntervalUs / 1000:0.#} ms ({exposure}); size {size}; the brightest parts of the picture are projected white of {settings.WhiteWPerM2:0.##} W/m²; \"caught\" is {settings.CaughtShare * 100:0.#} % of flashes at any moment."));

@@ -4,6 +4,7 @@ using System.Reflection;
 using System.Threading;
 using LaserTracking.Capture;
 using LaserTracking.Detection;
+using LaserTracking.Health;
 using LaserTracking.Host.Terminal;
 using LaserTracking.Pipeline;
 using LaserTracking.Scoring;
@@ -37,7 +38,12 @@ namespace LaserTracking.Host.Sessions
                 plan.HandCamera != null,
                 plan.Scene == null ? null : new ShotScorer(plan.Scene),
                 sink,
-                new PipelineSettings { SceneTimeZeroUs = plan.SceneTimeZeroUs });
+                new PipelineSettings
+                {
+                    SceneTimeZeroUs = plan.SceneTimeZeroUs,
+                    Monitor = new PictureMonitorSettings { ExposureUs = plan.ExposureUs },
+                    Advisor = new AdvisorSettings { ExposureUs = plan.ExposureUs },
+                });
             pipeline.Begin(new SessionHeader(Version, plan.Inputs, plan.CalibrationName, plan.Detector, plan.Seed));
             ReportOtherSizes(pipeline, plan);
 

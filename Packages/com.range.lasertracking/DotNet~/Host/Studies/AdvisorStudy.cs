@@ -20,7 +20,7 @@ namespace LaserTracking.Host.Studies
         private const double QuietS = 2;
         private const double IntervalS = 0.26;
         private const int ShotsPerKind = 24;
-        private const int FramesBetweenLooks = 4;
+        private const int FramesBetweenLooks = 3;
 
         private static readonly double[] PulsesMs = { 7, 40 };
         private static readonly Room[] Rooms =

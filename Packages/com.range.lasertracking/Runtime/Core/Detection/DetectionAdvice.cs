@@ -71,7 +71,7 @@ namespace LaserTracking.Detection
                 if (CaughtRegions == 0)
                     return "a " + laser + " is not reliably caught anywhere here" + (Gain.Length > 0 ? "; " + Gain : string.Empty);
                 string where = CaughtRegions == Regions.Count ? "all over the screen" : FormattableString.Invariant($"in {CaughtRegions} of {Regions.Count} parts of the screen");
-                string text = FormattableString.Invariant($"flashes of a {laser} are caught from {ShortestMs:0.#} ms on {where}, the dimmest steady dot has {DimmestMw:0.####} mW (a rise of {DimmestLevels:F0} levels)");
+                string text = FormattableString.Invariant($"flashes of a {laser} are caught from {ShortestMs:0.#} ms on {where}{(_settings.ExposureUs > 0 ? string.Empty : " if the exposure is half a frame")}; lit for a whole exposure, {DimmestMw:0.###} mW suffice (a rise of {DimmestLevels:F0} levels)");
                 return text + (Gain.Length > 0 ? "; " + Gain : string.Empty);
             }
         }

@@ -11,7 +11,10 @@ namespace LaserTracking.Detection
     /// </summary>
     public sealed class DetectionAdvisor
     {
-        private const double LongestMs = 300;
+        /// <summary>Frames in which the detector learns what is ordinary here: it sees less meanwhile.</summary>
+        private const int SettlingFrames = 20;
+
+        private const double ShortestTriedMs = 1, LongestMs = 300;
 
         /// <summary>The flash by which what to change is judged, ms: the shortest that trainers fire.</summary>
         private const double ShortFlashMs = 5;
@@ -72,14 +75,14 @@ namespace LaserTracking.Detection
             Rounds++;
         }
 
-        /// <summary>Only takes note of the frame's time.</summary>
+        /// <summary>Only takes note of the frame's time; true when it can be looked at.</summary>
         public bool Note(Frame frame)
         {
             if (_frames == 0)
                 _firstUs = frame.TimeUs;
             _frames++;
             _lastUs = frame.TimeUs;
-            if (!frame.Color.IsPresent || !_detector.Probe.IsReady)
+            if (!frame.Color.IsPresent || !_detector.Probe.IsReady || _frames <= SettlingFrames)
                 return false;
             _screen ??= WholePicture(frame.Color.Width, frame.Color.Height);
             return true;
@@ -155,10 +158,18 @@ namespace LaserTracking.Detection
         private double ShortestMs(PowerLadder ladder, double exposureUs, double intervalUs)
         {
             double Caught(double ms) => ladder.Caught(_settings.PowerMw, ms * 1000, exposureUs, intervalUs, _detector.Probe.MaxWaitFrames);
-            if (Caught(LongestMs) < _settings.CaughtShare)
+
+            // What lasts longer and is not conclusive becomes scenery: longer is not always better, so the first length that suffices counts.
+            double low = 0, high = ShortestTriedMs;
+            while (high <= LongestMs && Caught(high) < _settings.CaughtShare)
+            {
+                low = high;
+                high *= 1.25;
+            }
+
+            if (high > LongestMs)
                 return double.NaN;
-            double low = 0, high = LongestMs;
-            for (int i = 0; i < 14; i++)
+            for (int i = 0; i < 5; i++)
             {
                 double middle = 0.5 * (low + high);
                 if (Caught(middle) >= _settings.CaughtShare)
@@ -179,8 +190,10 @@ namespace LaserTracking.Detection
             double between = FlashTiming.Missed(ShortFlashMs * 1000, exposureUs, intervalUs), unseen = 1 - caught - between;
             if (caught > 0.98)
                 return string.Empty;
-            if (between >= unseen)
+            if (_settings.ExposureUs > 0 && between >= unseen)
                 return FormattableString.Invariant($"{between * 100:F0} % of flashes of {ShortFlashMs:0} ms fall between two exposures: choose the camera's highest frame rate, or an exposure as long as the brightness allows");
+            if (unseen < 0.05)
+                return string.Empty;
             int worst = 0;
             for (int i = 1; i < _reasons.Length; i++)
             {

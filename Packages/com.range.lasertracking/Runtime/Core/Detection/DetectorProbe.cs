@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Imaging;
 
 namespace LaserTracking.Detection
 {
@@ -21,7 +22,6 @@ namespace LaserTracking.Detection
         private readonly int[] _reciprocal;
         private readonly DotMemory _nothing = new DotMemory();
         private readonly uint[] _kept = new uint[Side * Side];
-        private readonly float[] _energy = new float[Side * Side];
         private readonly float[] _rise = new float[3 * Side * Side];
         private readonly float[] _linear = new float[256];
         private double _gamma;
@@ -109,27 +109,32 @@ namespace LaserTracking.Detection
 
         private void Draw(in ProbeLight light, in FrameView view, int left, int top, int right, int bottom)
         {
-            double inverse = 1 / (light.SigmaPx * light.SigmaPx), scale2 = light.HaloScale * light.HaloScale;
-            double core = 1 - light.HaloShare, halo = 2 * light.HaloShare / scale2, unit = 1 / (core + halo);
+            // Chroma is the mean over two pixels of a row, in NV12 over those of two rows.
+            int chromaX = _planes.Format == PixelFormat.Nv12 || _planes.Format == PixelFormat.Yuy2 ? 2 : 1, chromaY = _planes.Format == PixelFormat.Nv12 ? 2 : 1;
             for (int y = top; y <= bottom; y++)
             {
                 for (int x = left; x <= right; x++)
                 {
-                    // Several pixels become one by their maximum: the one nearest to the centre.
-                    double dx = Nearest(light.PositionPx.X - (x + view.ShiftX) * Factor), dy = Nearest(light.PositionPx.Y - (y + view.ShiftY) * Factor);
-                    double u = (dx * dx + dy * dy) * inverse, fall = scale2 / (scale2 + u);
-                    _energy[(y - top) * Side + x - left] = (float)(unit * (u < 40 ? core * Math.Exp(-0.5 * u) : 0) + unit * halo * fall * fall);
-                }
-            }
+                    int i = (y - top) * Side + x - left, x0 = (x + view.ShiftX) * Factor, y0 = (y + view.ShiftY) * Factor;
 
-            for (int y = top; y <= bottom; y++)
-            {
-                for (int x = left; x <= right; x++)
-                {
-                    int i = (y - top) * Side + x - left;
-                    _rise[3 * i] = Rise(_kept[i] & 255, light.Blue * _energy[i]);
-                    _rise[3 * i + 1] = Rise(_kept[i] >> 8 & 255, light.Green * _energy[i]);
-                    _rise[3 * i + 2] = Rise(_kept[i] >> 16 & 255, light.Red * _energy[i]);
+                    // Several pixels become one by their maximum: the one nearest to the centre.
+                    float energy = Energy(light, Nearest(light.PositionPx.X - x0), Nearest(light.PositionPx.Y - y0));
+                    Rises(light, i, energy, out float blue, out float green, out float red);
+                    if (chromaX > 1 && energy > 1e-4f)
+                    {
+                        float mean = 0;
+                        for (int j = 0; j < chromaX * chromaY; j++)
+                            mean += Energy(light, light.PositionPx.X - (x0 / 2 * 2 + j % 2), light.PositionPx.Y - (y0 / chromaY * chromaY + j / 2)) / (chromaX * chromaY);
+                        Rises(light, i, mean, out float meanBlue, out float meanGreen, out float meanRed);
+                        float luma = Luma(blue, green, red), meanLuma = Luma(meanBlue, meanGreen, meanRed);
+                        blue = luma + meanBlue - meanLuma;
+                        green = luma + meanGreen - meanLuma;
+                        red = luma + meanRed - meanLuma;
+                    }
+
+                    _rise[3 * i] = blue;
+                    _rise[3 * i + 1] = green;
+                    _rise[3 * i + 2] = red;
                 }
             }
 
@@ -144,12 +149,29 @@ namespace LaserTracking.Detection
             }
         }
 
+        /// <summary>Light at a distance from the centre, through that at the centre.</summary>
+        private static float Energy(in ProbeLight light, double dx, double dy)
+        {
+            double scale2 = light.HaloScale * light.HaloScale, core = 1 - light.HaloShare, halo = 2 * light.HaloShare / scale2;
+            double u = (dx * dx + dy * dy) / (light.SigmaPx * light.SigmaPx), fall = scale2 / (scale2 + u);
+            return (float)(((u < 40 ? core * Math.Exp(-0.5 * u) : 0) + halo * fall * fall) / (core + halo));
+        }
+
+        private void Rises(in ProbeLight light, int i, float energy, out float blue, out float green, out float red)
+        {
+            blue = Rise(_kept[i] & 255, light.Blue * energy);
+            green = Rise(_kept[i] >> 8 & 255, light.Green * energy);
+            red = Rise(_kept[i] >> 16 & 255, light.Red * energy);
+        }
+
+        private static float Luma(float blue, float green, float red) => 0.114f * blue + 0.587f * green + 0.299f * red;
+
         /// <summary>Distance of a point to the nearest of the pixel centres 0 … factor - 1.</summary>
         private double Nearest(double at) => Math.Abs(at - Math.Max(0, Math.Min(Factor - 1, Math.Round(at))));
 
         private float Rise(uint level, float light)
         {
-            if (light < 1e-6f)
+            if (light < 1e-5f)
                 return 0;
             double linear = Math.Min(1, _linear[level] + light);
             return (float)(255 * Math.Pow(linear, 1 / _gamma) - level);
