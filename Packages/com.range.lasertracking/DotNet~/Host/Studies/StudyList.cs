@@ -10,6 +10,7 @@ namespace LaserTracking.Host.Studies
         {
             new ClipStressStudy(),
             new AdvisorStudy(),
+            new PastedDotsStudy(),
         };
     }
 }

@@ -211,7 +211,7 @@ namespace LaserTracking.Detection
                     for (int column = left / TileGrid.Size; column <= right / TileGrid.Size; column++)
                     {
                         int tile = row * tiles.Columns + column;
-                        if (!tiles.WouldBeHot(tile, Onset(view, plane, column, row), ShotDetector.GateFloor))
+                        if (Onset(view, plane, column, row) <= tiles.Gate(tile, ShotDetector.GateFloor))
                             continue;
                         _finder.Fill(view, plane, column, row, 0);
                         if (!_finder.TryFind(view, plane, column, row, 0, out Candidate candidate) || !IsHere(candidate, centerX, centerY))

@@ -56,6 +56,13 @@ namespace LaserTracking.Detection
 
         public string Name => "shots";
 
+        /// <summary>Records what each frame's candidates were tested for, when there is one; costs nothing otherwise.</summary>
+        public DetectionTrace? Trace
+        {
+            get => _judge.Trace;
+            set => _judge.Trace = value;
+        }
+
         /// <summary>Everything examined in the last frame, for tests and explanations.</summary>
         internal ReadOnlySpan<Candidate> Candidates => new ReadOnlySpan<Candidate>(_candidates, 0, _candidateCount);
 
@@ -70,6 +77,7 @@ namespace LaserTracking.Detection
         {
             Image image = frame.Color;
             detections.Begin(frame.Index, image.IsPresent ? image.TimeUs : frame.TimeUs);
+            Trace?.Begin(frame.Index);
             if (!image.IsPresent || !PixelRow.CanRead(image.Format))
                 return;
             detections.ImageWidthPx = image.Width;
@@ -130,6 +138,7 @@ namespace LaserTracking.Detection
             SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, detections);
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
+            Trace?.Spot?.Look(view, _planes.Factor, _judge.IsContentKnown ? _content.Level + _settings.MinContentExcess : 256, _memory);
             _blind.Measure(view, _planes.SmallestTiles, _mask, _planes.Factor, _noise.Sigma, _judge.IsContentKnown, detections);
             _memory.ReportTraces(view, detections);
             _memory.Protect(view, _planes.SmallestTiles, _planes.LargestTiles);
@@ -143,6 +152,7 @@ namespace LaserTracking.Detection
             _blobs.Begin();
             ReadOnlySpan<int> hot = tiles.FindHot(GateFloor, _settings.MaxCandidates);
             detections.Skip(tiles.HotCount - hot.Length);
+            Trace?.Spot?.SetTile(plane, tiles, hot, GateFloor, _planes.Factor);
             for (int round = 0; round < 2; round++)
             {
                 int seeds = 0, slot = 0;
@@ -201,6 +211,7 @@ namespace LaserTracking.Detection
             if (candidate.Reason == RejectionReason.None && !_mask.IsWholePicture)
             {
                 double outside = _mask.SignedDistancePx(position);
+                Trace?.Add(RejectionReason.OutsideScreen, outside <= 0, outside, 0, null);
                 if (outside > 0)
                 {
                     candidate.Reason = RejectionReason.OutsideScreen;
@@ -209,18 +220,20 @@ namespace LaserTracking.Detection
                 }
             }
 
-            if (candidate.Reason != RejectionReason.None && candidate.Reason != RejectionReason.TooFaint)
-                candidate.Fade(view);
+            if (candidate.Reason != RejectionReason.None && candidate.Reason != RejectionReason.TooFaint && candidate.Fade(view))
+                Trace?.Add(candidate.Reason, false, candidate.Value, candidate.Limit, null);
             double near = 0, reach = 0;
             if (candidate.Reason == RejectionReason.None && _memory.IsHaloOf(candidate, out near, out reach))
             {
                 candidate.Reason = RejectionReason.Duplicate;
                 candidate.Value = near * factor;
                 candidate.Limit = reach * factor;
+                Trace?.Add(candidate.Reason, false, candidate.Value, candidate.Limit, null);
             }
 
             if (candidate.Reason != RejectionReason.None)
             {
+                Trace?.Finish(candidate, position, factor, known.Frames > 0, -1);
                 detections.Reject(new RejectedCandidate { PositionPx = position, Reason = candidate.Reason, Value = candidate.Value, Limit = candidate.Limit });
                 return;
             }
@@ -230,6 +243,7 @@ namespace LaserTracking.Detection
             dot.Color = candidate.IsOnset || known.Frames == 0 ? ColorOf(candidate) : known.Color;
             dot.Factors = Factors(candidate, dot.PositionPx, image);
             dot.Confidence = Math.Min(1, dot.Factors.Sum);
+            Trace?.Finish(candidate, dot.PositionPx, factor, known.Frames > 0, detections.Dots.Length);
             detections.Add(dot);
             Remember(candidate, dot, known);
         }

@@ -130,11 +130,9 @@ namespace LaserTracking.Detection
             }
         }
 
-        /// <summary>Whether the tile would be looked into if its largest onset were this.</summary>
-        public bool WouldBeHot(int tile, int onset, int floor) => onset - floor - Ordinary(tile) > 0;
+        /// <summary>What the tile's onset must exceed to be hot, levels.</summary>
+        public int Gate(int tile, int floor) => floor + (int)(0.9f * _activity[tile]);
 
-        private int Surprise(int i, int floor) => _onsets[i] - floor - Ordinary(i);
-
-        private int Ordinary(int i) => (int)(0.9f * _activity[i]);
+        private int Surprise(int i, int floor) => _onsets[i] - Gate(i, floor);
     }
 }
