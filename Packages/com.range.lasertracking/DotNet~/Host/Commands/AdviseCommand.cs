@@ -128,7 +128,7 @@ namespace LaserTracking.Host.Commands
                 power_mw = settings.PowerMw,
                 exposure_us = advice.ExposureUs,
                 interval_us = advice.IntervalUs,
-                caught_parts = advice.CaughtRegions,
+                blind_parts = advice.BlindRegions,
                 shortest_ms = Known(advice.ShortestMs),
                 dimmest_mw = Known(advice.DimmestMw),
                 dimmest_levels = Known(advice.DimmestLevels),

@@ -10,7 +10,7 @@ namespace LaserTracking.Detection
         private readonly AdvisorSettings _settings;
         private readonly int _maxWaitFrames;
 
-        internal DetectionAdvice(AdvisorSettings settings, PowerLadder[] ladders, RegionAdvice[] regions, double intervalUs, double exposureUs, int maxWaitFrames, string gain)
+        internal DetectionAdvice(AdvisorSettings settings, PowerLadder[] ladders, RegionAdvice[] regions, Func<double, double> levelsOf, double intervalUs, double exposureUs, int maxWaitFrames, string gain)
         {
             _settings = settings;
             _ladders = ladders;
@@ -19,6 +19,19 @@ namespace LaserTracking.Detection
             ExposureUs = exposureUs;
             _maxWaitFrames = maxWaitFrames;
             Gain = gain;
+            var whole = new PowerLadder();
+            foreach (PowerLadder ladder in ladders)
+                whole.Add(ladder);
+            ShortestMs = whole.ShortestMs(settings.CaughtShare, settings.PowerMw, exposureUs, intervalUs, maxWaitFrames);
+            DimmestMw = whole.LeastMw(settings.CaughtShare);
+            DimmestLevels = double.IsNaN(DimmestMw) ? double.NaN : levelsOf(DimmestMw);
+            if (double.IsNaN(ShortestMs))
+                return;
+            for (int region = 0; region < ladders.Length; region++)
+            {
+                if (Probability(region, settings.PowerMw, ShortestMs) < 0.5)
+                    BlindRegions++;
+            }
         }
 
         public int Columns => _settings.Columns;
@@ -37,30 +50,17 @@ namespace LaserTracking.Detection
         /// <summary>What to change to gain most; empty when nothing needs to.</summary>
         public string Gain { get; }
 
-        /// <summary>Parts in which the laser asked about is caught at some length.</summary>
-        public int CaughtRegions
-        {
-            get
-            {
-                int count = 0;
-                foreach (RegionAdvice region in Regions)
-                {
-                    if (!double.IsNaN(region.ShortestMs))
-                        count++;
-                }
+        /// <summary>Shortest flash of which nine of ten (the share asked for) are caught wherever they fall on the screen, ms; NaN: none.</summary>
+        public double ShortestMs { get; }
 
-                return count;
-            }
-        }
+        /// <summary>Power of a dot that is taken with the same share when it is lit for a whole exposure, mW; NaN: none.</summary>
+        public double DimmestMw { get; }
 
-        /// <summary>Shortest flash that is caught in nine of ten of those parts, ms; NaN: none.</summary>
-        public double ShortestMs => NineOfTen(region => region.ShortestMs);
+        /// <summary>How far its strongest channel rises in most parts, levels; NaN: none.</summary>
+        public double DimmestLevels { get; }
 
-        /// <summary>Dimmest dot that is caught in nine of ten of the parts where any is, mW; NaN: none.</summary>
-        public double DimmestMw => NineOfTen(region => region.DimmestMw);
-
-        /// <summary>The same as a rise of the strongest channel, levels.</summary>
-        public double DimmestLevels => NineOfTen(region => region.DimmestLevels);
+        /// <summary>Parts in which less than half of the flashes of <see cref="ShortestMs"/> are caught.</summary>
+        public int BlindRegions { get; }
 
         /// <summary>One sentence for people, and what to do.</summary>
         public string Sentence
@@ -68,11 +68,15 @@ namespace LaserTracking.Detection
             get
             {
                 string laser = FormattableString.Invariant($"{_settings.Color.ToString().ToLowerInvariant()} laser of {_settings.PowerMw:0.###} mW");
-                if (CaughtRegions == 0)
-                    return "a " + laser + " is not reliably caught anywhere here" + (Gain.Length > 0 ? "; " + Gain : string.Empty);
-                string where = CaughtRegions == Regions.Count ? "all over the screen" : FormattableString.Invariant($"in {CaughtRegions} of {Regions.Count} parts of the screen");
-                string text = FormattableString.Invariant($"flashes of a {laser} are caught from {ShortestMs:0.#} ms on {where}{(_settings.ExposureUs > 0 ? string.Empty : " if the exposure is half a frame")}; lit for a whole exposure, {DimmestMw:0.###} mW suffice (a rise of {DimmestLevels:F0} levels)");
-                return text + (Gain.Length > 0 ? "; " + Gain : string.Empty);
+                string assumed = _settings.ExposureUs > 0 ? string.Empty : " if the exposure is half a frame", gain = Gain.Length > 0 ? "; " + Gain : string.Empty;
+                if (double.IsNaN(ShortestMs))
+                    return FormattableString.Invariant($"less than {_settings.CaughtShare * 100:0.#} % of flashes of a {laser} are caught here, however long they are{assumed}{gain}");
+                string text = FormattableString.Invariant($"{_settings.CaughtShare * 100:0.#} % of flashes of a {laser} are caught from {ShortestMs:0.#} ms on{assumed}");
+                if (BlindRegions > 0)
+                    text += FormattableString.Invariant($", hardly any in {BlindRegions} of {Regions.Count} parts of the screen");
+                if (!double.IsNaN(DimmestMw))
+                    text += FormattableString.Invariant($"; lit for a whole exposure, {DimmestMw:0.###} mW suffice (a rise of {DimmestLevels:F0} levels)");
+                return text + gain;
             }
         }
 
@@ -91,19 +95,6 @@ namespace LaserTracking.Detection
         public double Probability(int region, double powerMw, double pulseMs)
         {
             return _ladders[region].Caught(powerMw, pulseMs * 1000, ExposureUs, IntervalUs, _maxWaitFrames);
-        }
-
-        private double NineOfTen(Func<RegionAdvice, double> value)
-        {
-            var values = new List<double>();
-            foreach (RegionAdvice region in Regions)
-            {
-                if (!double.IsNaN(value(region)))
-                    values.Add(value(region));
-            }
-
-            values.Sort();
-            return values.Count == 0 ? double.NaN : values[(int)Math.Ceiling(0.9 * values.Count) - 1];
         }
     }
 }

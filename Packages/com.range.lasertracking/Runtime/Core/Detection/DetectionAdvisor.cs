@@ -14,8 +14,6 @@ namespace LaserTracking.Detection
         /// <summary>Frames in which the detector learns what is ordinary here: it sees less meanwhile.</summary>
         private const int SettlingFrames = 20;
 
-        private const double ShortestTriedMs = 1, LongestMs = 300;
-
         /// <summary>The flash by which what to change is judged, ms: the shortest that trainers fire.</summary>
         private const double ShortFlashMs = 5;
 
@@ -100,13 +98,28 @@ namespace LaserTracking.Detection
             for (int i = 0; i < regions.Length; i++)
             {
                 PowerLadder ladder = _ladders[i];
-                double dimmest = ladder.LeastMw(_settings.CaughtShare), level = _levels[i] / ladder.Tried;
-                double light = Math.Pow(level / 255, _settings.Gamma) + dimmest * _risesPerMw[i] / ladder.Tried;
-                double rise = 255 * Math.Pow(Math.Min(1, light), 1 / _settings.Gamma) - level;
-                regions[i] = new RegionAdvice(dimmest, rise, ShortestMs(ladder, exposureUs, intervalUs), level);
+                double dimmest = ladder.LeastMw(_settings.CaughtShare), rise = Rise(i, dimmest), level = _levels[i] / ladder.Tried;
+                regions[i] = new RegionAdvice(dimmest, rise, ladder.ShortestMs(_settings.CaughtShare, _settings.PowerMw, exposureUs, intervalUs, _detector.Probe.MaxWaitFrames), level);
             }
 
-            return new DetectionAdvice(_settings, _ladders, regions, intervalUs, exposureUs, _detector.Probe.MaxWaitFrames, Gain(exposureUs, intervalUs));
+            return new DetectionAdvice(_settings, _ladders, regions, MedianRise, intervalUs, exposureUs, _detector.Probe.MaxWaitFrames, Gain(exposureUs, intervalUs));
+        }
+
+        /// <summary>How far a dot of this power raises the strongest channel of a part's background, levels.</summary>
+        private double Rise(int region, double powerMw)
+        {
+            double tried = _ladders[region].Tried, level = _levels[region] / tried;
+            double light = Math.Pow(level / 255, _settings.Gamma) + powerMw * _risesPerMw[region] / tried;
+            return 255 * Math.Pow(Math.Min(1, light), 1 / _settings.Gamma) - level;
+        }
+
+        private double MedianRise(double powerMw)
+        {
+            var rises = new double[_ladders.Length];
+            for (int i = 0; i < rises.Length; i++)
+                rises[i] = Rise(i, powerMw);
+            Array.Sort(rises);
+            return rises[rises.Length / 2];
         }
 
         private ScreenGeometry WholePicture(int width, int height)
@@ -150,35 +163,9 @@ namespace LaserTracking.Detection
                 };
                 if (probe.Takes(light, out bool isConclusive, out RejectionReason reason))
                     ladder.Take(step, isConclusive);
-                else if (power > 0.1 * _settings.PowerMw)
+                else if (power > 0.3 * _settings.PowerMw)
                     _reasons[(int)reason]++;
             }
-        }
-
-        private double ShortestMs(PowerLadder ladder, double exposureUs, double intervalUs)
-        {
-            double Caught(double ms) => ladder.Caught(_settings.PowerMw, ms * 1000, exposureUs, intervalUs, _detector.Probe.MaxWaitFrames);
-
-            // What lasts longer and is not conclusive becomes scenery: longer is not always better, so the first length that suffices counts.
-            double low = 0, high = ShortestTriedMs;
-            while (high <= LongestMs && Caught(high) < _settings.CaughtShare)
-            {
-                low = high;
-                high *= 1.25;
-            }
-
-            if (high > LongestMs)
-                return double.NaN;
-            for (int i = 0; i < 5; i++)
-            {
-                double middle = 0.5 * (low + high);
-                if (Caught(middle) >= _settings.CaughtShare)
-                    high = middle;
-                else
-                    low = middle;
-            }
-
-            return high;
         }
 
         private string Gain(double exposureUs, double intervalUs)

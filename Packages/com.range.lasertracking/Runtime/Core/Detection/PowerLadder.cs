@@ -8,6 +8,7 @@ namespace LaserTracking.Detection
         public const int Steps = 26;
         private const double FirstMw = 2e-4;
         private const double Ratio = 1.5;
+        private const double ShortestTriedMs = 1, LongestMs = 300;
 
         private readonly int[] _taken = new int[Steps];
         private readonly int[] _conclusive = new int[Steps];
@@ -27,9 +28,47 @@ namespace LaserTracking.Detection
                 _conclusive[step]++;
         }
 
+        /// <summary>Takes another one's dots in.</summary>
+        public void Add(PowerLadder other)
+        {
+            Tried += other.Tried;
+            for (int step = 0; step < Steps; step++)
+            {
+                _taken[step] += other._taken[step];
+                _conclusive[step] += other._conclusive[step];
+            }
+        }
+
         /// <summary>Probability that a flash is caught.</summary>
         public double Caught(double powerMw, double pulseUs, double exposureUs, double intervalUs, int maxWaitFrames) => FlashTiming.Caught(
             pulseUs, exposureUs, intervalUs, maxWaitFrames, share => Taken(powerMw * share), share => Conclusive(powerMw * share));
+
+        /// <summary>Length from which this share of flashes is caught, ms; NaN: at no length up to 300 ms.</summary>
+        public double ShortestMs(double share, double powerMw, double exposureUs, double intervalUs, int maxWaitFrames)
+        {
+            double CaughtOf(double ms) => Caught(powerMw, ms * 1000, exposureUs, intervalUs, maxWaitFrames);
+
+            // What lasts longer and is not conclusive becomes scenery: longer is not always better, so the first length that suffices counts.
+            double low = 0, high = ShortestTriedMs;
+            while (high <= LongestMs && CaughtOf(high) < share)
+            {
+                low = high;
+                high *= 1.25;
+            }
+
+            if (high > LongestMs)
+                return double.NaN;
+            for (int i = 0; i < 5; i++)
+            {
+                double middle = 0.5 * (low + high);
+                if (CaughtOf(middle) >= share)
+                    high = middle;
+                else
+                    low = middle;
+            }
+
+            return high;
+        }
 
         /// <summary>Share taken at a power, 0…1; between the steps along the power's logarithm.</summary>
         public double Taken(double powerMw) => Share(_taken, powerMw);

@@ -12,6 +12,10 @@ namespace LaserTracking.Health
         private const long ReferenceUs = 500_000;
         private const long StepUs = 90_000;
         private const long QuietUs = 5_000_000;
+
+        /// <summary>A projected flash is over sooner.</summary>
+        private const long LastsUs = 150_000;
+
         private const int PerOctave = 256;
         private const int Bins = 2 * PerOctave + 1;
 
@@ -83,7 +87,7 @@ namespace LaserTracking.Health
         {
             bool isKnown = TryFactor(grid, 1, out int green);
             bool isExposure = isKnown && Math.Abs(green) >= _limit;
-            if (_exposure.Update(isExposure, !isExposure, health.TimeUs, 0, QuietUs) && _exposure.IsOn)
+            if (_exposure.Update(isExposure, !isExposure, health.TimeUs, LastsUs, QuietUs) && _exposure.IsOn)
             {
                 double factor = Math.Pow(2, green * _settings.Gamma / PerOctave);
                 string how = factor > 1
@@ -98,7 +102,7 @@ namespace LaserTracking.Health
             red = isColored ? red - green : 0;
             int most = Math.Abs(red) >= Math.Abs(blue) ? red : blue;
             bool isColor = Math.Abs(most) >= _limit;
-            if (_color.Update(isColor, !isColor, health.TimeUs, 0, QuietUs) && _color.IsOn)
+            if (_color.Update(isColor, !isColor, health.TimeUs, LastsUs, QuietUs) && _color.IsOn)
             {
                 double factor = Math.Pow(2, most / (double)PerOctave);
                 string name = most == red ? "red" : "blue";

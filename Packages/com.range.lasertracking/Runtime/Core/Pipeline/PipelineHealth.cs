@@ -69,7 +69,7 @@ namespace LaserTracking.Pipeline
                 _health.Say(HealthKind.Blind, blind, _blind.IsOn ? BlindText(blind, detections.SaturatedShare) : FormattableString.Invariant($"a dot can be seen again in {(1 - blind) * 100:F0} % of the screen"));
             int overflow = detections.OverflowCount;
             if (_overflow.Update(overflow > 0, overflow == 0, detections.TimeUs, OverflowAfterUs, SeeingAfterUs) && _overflow.IsOn)
-                _health.Say(HealthKind.Overflow, overflow, "so much changes at once that only the strongest spots are examined and faint shots are missed: mount the camera firmly, and lower its gain if the picture is noisy");
+                _health.Say(HealthKind.Overflow, overflow, "so much changes at once that only the strongest spots are examined and faint shots are missed: lower the exposure, so that less of the picture changes");
         }
 
         public void ReportInput(FrameProblem problem, long timeUs)

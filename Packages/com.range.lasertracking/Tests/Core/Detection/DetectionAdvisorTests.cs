@@ -17,6 +17,7 @@ namespace LaserTracking.Detection
         {
             DetectionAdvice advice = Advise(new DetectionRun(), (b, i) => b.Wall(60, 60, 60));
             double levels = advice.DimmestLevels;
+            Assert.That(advice.BlindRegions, Is.Zero);
             Assert.That(levels, Is.InRange(5, 80));
             Assert.That(Found(levels * 1.6), Is.GreaterThanOrEqualTo(11), "brighter ones are found");
             Assert.That(Found(levels * 0.4), Is.LessThanOrEqualTo(1), "dimmer ones are not");

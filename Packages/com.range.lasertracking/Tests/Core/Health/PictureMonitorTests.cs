@@ -86,9 +86,17 @@ namespace LaserTracking.Health
             var run = new MonitorRun();
             run.Play(0, 200, (b, i) => MonitorRun.Room(b, light: i < 100 ? 1 : factor));
             Assert.That(run.Kinds, Is.EqualTo(new[] { HealthKind.ExposureChange }));
-            Assert.That(run.Said[0].FrameIndex, Is.InRange(100, 105));
+            Assert.That(run.Said[0].FrameIndex, Is.InRange(100, 111));
             Assert.That(run.Said[0].Value, Is.EqualTo(System.Math.Pow(factor, 2.2)).Within(0.05));
             Assert.That(run.Said[0].Text, Does.Contain(words).And.Contain("lock"));
+        }
+
+        [Test]
+        public void PictureMonitor_WholePictureFlashesForAFrame_IsNoExposureChange()
+        {
+            var run = new MonitorRun();
+            run.Play(0, 200, (b, i) => MonitorRun.Room(b, light: i % 40 == 20 ? 1.4f : 1));
+            Assert.That(run.Kinds, Is.Empty);
         }
 
         [Test]
