@@ -19,7 +19,7 @@ namespace LaserTracking.Detection
             ExposureUs = exposureUs;
             _maxWaitFrames = maxWaitFrames;
             Gain = gain;
-            var whole = new PowerLadder();
+            var whole = new PowerLadder(settings.Gamma);
             foreach (PowerLadder ladder in ladders)
                 whole.Add(ladder);
             ShortestMs = whole.ShortestMs(settings.CaughtShare, settings.PowerMw, exposureUs, intervalUs, maxWaitFrames);

@@ -20,8 +20,6 @@ namespace LaserTracking.Detection
         private readonly ShotDetector _detector;
         private readonly AdvisorSettings _settings;
         private readonly PowerLadder[] _ladders;
-        private readonly double[] _risesPerMw;
-        private readonly double[] _levels;
         private readonly int[] _reasons = new int[256];
         private ScreenGeometry? _screen;
         private long _firstUs;
@@ -41,9 +39,7 @@ namespace LaserTracking.Detection
             _screen = screen;
             _ladders = new PowerLadder[_settings.Columns * _settings.Rows];
             for (int i = 0; i < _ladders.Length; i++)
-                _ladders[i] = new PowerLadder();
-            _risesPerMw = new double[_ladders.Length];
-            _levels = new double[_ladders.Length];
+                _ladders[i] = new PowerLadder(_settings.Gamma);
         }
 
         /// <summary>How often all parts of the screen were looked at.</summary>
@@ -98,26 +94,18 @@ namespace LaserTracking.Detection
             for (int i = 0; i < regions.Length; i++)
             {
                 PowerLadder ladder = _ladders[i];
-                double dimmest = ladder.LeastMw(_settings.CaughtShare), rise = Rise(i, dimmest), level = _levels[i] / ladder.Tried;
+                double dimmest = ladder.LeastMw(_settings.CaughtShare), rise = 255 * ladder.Rise(dimmest), level = 255 * ladder.Background;
                 regions[i] = new RegionAdvice(dimmest, rise, ladder.ShortestMs(_settings.CaughtShare, _settings.PowerMw, exposureUs, intervalUs, _detector.Probe.MaxWaitFrames), level);
             }
 
             return new DetectionAdvice(_settings, _ladders, regions, MedianRise, intervalUs, exposureUs, _detector.Probe.MaxWaitFrames, Gain(exposureUs, intervalUs));
         }
 
-        /// <summary>How far a dot of this power raises the strongest channel of a part's background, levels.</summary>
-        private double Rise(int region, double powerMw)
-        {
-            double tried = _ladders[region].Tried, level = _levels[region] / tried;
-            double light = Math.Pow(level / 255, _settings.Gamma) + powerMw * _risesPerMw[region] / tried;
-            return 255 * Math.Pow(Math.Min(1, light), 1 / _settings.Gamma) - level;
-        }
-
         private double MedianRise(double powerMw)
         {
             var rises = new double[_ladders.Length];
             for (int i = 0; i < rises.Length; i++)
-                rises[i] = Rise(i, powerMw);
+                rises[i] = 255 * _ladders[i].Rise(powerMw);
             Array.Sort(rises);
             return rises[rises.Length / 2];
         }
@@ -145,9 +133,7 @@ namespace LaserTracking.Detection
             double perMw = 1e-3 / pixelM2 / _settings.WhiteWPerM2 * whiteLight / (2 * Math.PI * sigma2)
                 * (1 - _settings.HaloShare + 2 * _settings.HaloShare / (_settings.HaloScale * _settings.HaloScale));
             LaserResponse.Of(_settings.Color, out float red, out float green, out float blue);
-            _risesPerMw[region] += perMw * Math.Max(red, Math.Max(green, blue));
-            _levels[region] += probe.LevelAt(image);
-            ladder.BeginTry();
+            ladder.BeginTry(Math.Pow(probe.LevelAt(image) / 255.0, _settings.Gamma), perMw * Math.Max(red, Math.Max(green, blue)));
             for (int step = 0; step < PowerLadder.Steps; step++)
             {
                 double power = PowerLadder.PowerMw(step), peak = power * perMw;

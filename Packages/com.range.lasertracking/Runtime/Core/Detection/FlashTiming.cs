@@ -11,7 +11,7 @@ namespace LaserTracking.Detection
     {
         private const int Phases = 48;
 
-        /// <summary>Less light than this share of the first frame's leaves no trace: it counts as gone.</summary>
+        /// <summary>Less rise than this share of the first frame's is no trace: it counts as gone.</summary>
         private const double TraceShare = 0.5;
 
         /// <summary>Mean over all moments of the probability that the flash is caught.</summary>
@@ -21,11 +21,13 @@ namespace LaserTracking.Detection
         /// <param name="maxWaitFrames">Frames that what is not conclusive may last.</param>
         /// <param name="taken">Probability that a frame takes it, by the share of a whole exposure that was lit, 0…1.</param>
         /// <param name="conclusive">The same for being conclusive in that frame.</param>
-        public static double Caught(double pulseUs, double exposureUs, double intervalUs, int maxWaitFrames, Func<double, double> taken, Func<double, double> conclusive)
+        /// <param name="rise">What that share raises the picture by; and back, the share for a rise given as a negative number.</param>
+        public static double Caught(double pulseUs, double exposureUs, double intervalUs, int maxWaitFrames, Func<double, double> taken, Func<double, double> conclusive,
+            Func<double, double> rise)
         {
             double sum = 0;
             for (int phase = 0; phase < Phases; phase++)
-                sum += Caught((phase + 0.5) / Phases * intervalUs, pulseUs, exposureUs, intervalUs, maxWaitFrames, taken, conclusive);
+                sum += Caught((phase + 0.5) / Phases * intervalUs, pulseUs, exposureUs, intervalUs, maxWaitFrames, taken, conclusive, rise);
             return sum / Phases;
         }
 
@@ -33,7 +35,7 @@ namespace LaserTracking.Detection
         public static double Missed(double pulseUs, double exposureUs, double intervalUs) =>
             Math.Max(0, intervalUs - exposureUs - pulseUs) / intervalUs;
 
-        private static double Caught(double beginUs, double pulseUs, double exposureUs, double intervalUs, int maxWaitFrames, Func<double, double> taken, Func<double, double> conclusive)
+        private static double Caught(double beginUs, double pulseUs, double exposureUs, double intervalUs, int maxWaitFrames, Func<double, double> taken, Func<double, double> conclusive, Func<double, double> rise)
         {
             // Probabilities: unseen so far, waiting since the frame with the light firstLit, caught.
             double unseen = 1, waiting = 0, caught = 0, firstLit = 0, last = 0;
@@ -45,14 +47,14 @@ namespace LaserTracking.Detection
                 if (lit <= 0)
                     continue;
                 lit = Math.Min(1, lit);
-                if (lit < TraceShare * firstLit)
+                if (rise(lit) < TraceShare * rise(firstLit))
                 {
                     caught += waiting;
                     waiting = 0;
                 }
 
                 waiting *= ++waited > maxWaitFrames ? 0 : taken(lit);
-                double fresh = lit - last, onset = fresh <= 0 ? 0 : taken(fresh), sure = fresh <= 0 ? 0 : Math.Min(onset, conclusive(fresh));
+                double more = rise(lit) - rise(last), fresh = more <= 0 ? 0 : last <= 0 ? lit : rise(-more), onset = fresh <= 0 ? 0 : taken(fresh), sure = fresh <= 0 ? 0 : Math.Min(onset, conclusive(fresh));
                 caught += unseen * sure;
                 if (unseen * (onset - sure) > waiting)
                 {

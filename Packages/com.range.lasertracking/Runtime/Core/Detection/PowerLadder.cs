@@ -13,13 +13,36 @@ namespace LaserTracking.Detection
         private readonly int[] _taken = new int[Steps];
         private readonly int[] _conclusive = new int[Steps];
 
+        private readonly double _gamma;
+        private double _background;
+        private double _perMw;
+
+        /// <param name="gamma">Display value = linear light^(1/gamma).</param>
+        public PowerLadder(double gamma) => _gamma = gamma;
+
         /// <summary>Dots tried at each step.</summary>
         public int Tried { get; private set; }
 
         /// <summary>Power of a step, lit for a whole exposure, mW.</summary>
         public static double PowerMw(int step) => FirstMw * Math.Pow(Ratio, step);
 
-        public void BeginTry() => Tried++;
+        /// <param name="backgroundLight">Linear light of the place's strongest channel, 0…1.</param>
+        /// <param name="lightPerMw">What a milliwatt adds to it.</param>
+        public void BeginTry(double backgroundLight, double lightPerMw)
+        {
+            Tried++;
+            _background += backgroundLight;
+            _perMw += lightPerMw;
+        }
+
+        /// <summary>Mean display value of the background, 0…1.</summary>
+        public double Background => Math.Pow(_background / Tried, 1 / _gamma);
+
+        /// <summary>How far a power raises the strongest channel, share of full brightness.</summary>
+        public double Rise(double powerMw) => Tried == 0 ? 0 : Math.Pow(Math.Min(1, (_background + powerMw * _perMw) / Tried), 1 / _gamma) - Background;
+
+        /// <summary>The power for a rise.</summary>
+        private double PowerFor(double rise) => (Math.Pow(Math.Min(1, Background + rise), _gamma) - _background / Tried) * Tried / _perMw;
 
         public void Take(int step, bool isConclusive)
         {
@@ -32,6 +55,8 @@ namespace LaserTracking.Detection
         public void Add(PowerLadder other)
         {
             Tried += other.Tried;
+            _background += other._background;
+            _perMw += other._perMw;
             for (int step = 0; step < Steps; step++)
             {
                 _taken[step] += other._taken[step];
@@ -41,7 +66,8 @@ namespace LaserTracking.Detection
 
         /// <summary>Probability that a flash is caught.</summary>
         public double Caught(double powerMw, double pulseUs, double exposureUs, double intervalUs, int maxWaitFrames) => FlashTiming.Caught(
-            pulseUs, exposureUs, intervalUs, maxWaitFrames, share => Taken(powerMw * share), share => Conclusive(powerMw * share));
+            pulseUs, exposureUs, intervalUs, maxWaitFrames, share => Taken(powerMw * share), share => Conclusive(powerMw * share),
+            share => share < 0 ? PowerFor(-share) / powerMw : Rise(powerMw * share));
 
         /// <summary>Length from which this share of flashes is caught, ms; NaN: at no length up to 300 ms.</summary>
         public double ShortestMs(double share, double powerMw, double exposureUs, double intervalUs, int maxWaitFrames)
