@@ -5,6 +5,7 @@ using LaserTracking.Detection;
 using LaserTracking.Fusion;
 using LaserTracking.Geometry;
 using LaserTracking.Hands;
+using LaserTracking.Health;
 using LaserTracking.Imaging;
 using LaserTracking.Pipeline;
 using LaserTracking.Scoring;
@@ -26,6 +27,7 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("paper-1080p", "the published algorithm at 960 px width on 1920×1080 BGRA; moving scene, 2 dots", () => Detect("paper", 1920, 1080, PixelFormat.Bgra32)),
             new Benchmark("dual-1080p", "1024×1024 16-bit infrared and 1920×1080 BGRA in, shots out; moving scene, 3 dots at 850 nm", () => Dual(true)),
             new Benchmark("dual-infrared-1080p", "the same without a search of colour: colour is read around infrared spots only, as in the published module", () => Dual(false)),
+            new Benchmark("health-1080p", "1920×1080 BGRA frame in, checks of the picture itself; moving scene, 2 dots", Health),
             new Benchmark("hands-640x576", "depth frame in, hands out; 2 people", Hands),
             new Benchmark("pair-multiuser", "4 shots of one frame to 4 hands", Pair),
             new Benchmark("decode-720p-mjpg", "one 1280×720 4:2:2 JPEG to YUY2", Decode),
@@ -67,6 +69,13 @@ namespace LaserTracking.Host.Benchmarks
                 shooter.Laser.Color = LaserColor.Infrared;
             range = new SimulatedRange(scenario, SimulationScenes.Default());
             return new FrameLoop(range.CreateColorSource(), count);
+        }
+
+        private static Action<int> Health()
+        {
+            var frames = new FrameLoop(FrameLoop.Range(1920, 1080, PixelFormat.Bgra32, 2, 2000, 90).CreateColorSource(), LoopFrames);
+            var monitor = new PictureMonitor(new SessionRecorder());
+            return number => monitor.Process(frames[number]);
         }
 
         private static Action<int> Hands()

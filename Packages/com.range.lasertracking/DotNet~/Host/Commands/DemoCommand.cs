@@ -50,6 +50,7 @@ namespace LaserTracking.Host.Commands
                 SceneTimeZeroUs = range.Truth.ColorClockUs(0),
                 Inputs = new[] { new SessionInput(InputName, InputHash.Of(scenarioFile).Sha256) },
                 Seed = scenario.Seed,
+                ExposureUs = scenario.ColorCamera.ExposureUs,
             };
             var outputs = new SessionOutputs(Path.Combine(folder, "events.jsonl"), null, folder) { BackgroundPng = DrawPicture(range) };
             int exitCode = outputs.Run(plan, "Demo session", interrupted);

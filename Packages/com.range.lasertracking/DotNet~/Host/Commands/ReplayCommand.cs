@@ -28,8 +28,9 @@ namespace LaserTracking.Host.Commands
             var rejected = new Option<string>("--rejected") { HelpName = "WHICH", Description = "Rejected candidates among the events: all (default); notable: without those that moving edges make, too faint, too small or not compact; none.", DefaultValueFactory = _ => "all" };
             var dots = new Option<string?>("--dots") { HelpName = "FILE", Description = "Writes every tracked dot in every frame there." };
             var report = new Option<string?>("--report") { HelpName = "DIR", Description = "Writes report.html into this folder." };
+            var exposure = new Option<double>("--exposure-us") { HelpName = "US", Description = "The camera's exposure, for what is said about the picture." };
             var paced = new Option<bool>("--paced") { Description = "Runs at the recording's own speed." };
-            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, detector, events, rejected, dots, report, paced };
+            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, detector, events, rejected, dots, report, exposure, paced };
             command.SetAction((parsed, interrupted) =>
             {
                 RangeSession.CreateDetector(parsed.GetValue(detector)!);
@@ -63,6 +64,7 @@ namespace LaserTracking.Host.Commands
                     InfraredMapping = infraredMapping,
                     InfraredProblem = infraredProblem,
                     Inputs = inputs,
+                    ExposureUs = parsed.GetValue(exposure) is >= 0 and <= 1e7 and var us ? us : throw new InputException("--exposure-us", "is no exposure", "give microseconds from 0 to 10000000"),
                     IsPaced = parsed.GetValue(paced),
                 };
                 var outputs = new SessionOutputs(parsed.GetValue(events), parsed.GetValue(dots), parsed.GetValue(report)) { Rejected = which };

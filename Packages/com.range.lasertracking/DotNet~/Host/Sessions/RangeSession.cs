@@ -5,6 +5,7 @@ using System.Threading;
 using LaserTracking.Capture;
 using LaserTracking.Detection;
 using LaserTracking.Geometry;
+using LaserTracking.Health;
 using LaserTracking.Host.Terminal;
 using LaserTracking.Pipeline;
 using LaserTracking.Scoring;
@@ -30,7 +31,11 @@ namespace LaserTracking.Host.Sessions
         };
 
         /// <summary>True when the end was reached, false when it was interrupted; the sink's session is ended in both cases.</summary>
-        public static bool Run(SessionPlan plan, IEventSink sink, CancellationToken interrupted)
+        /// <param name="plan">On what it runs.</param>
+        /// <param name="sink">Receives all events.</param>
+        /// <param name="interrupted">Ends it early.</param>
+        /// <param name="recorder">Told what each frame showed and cost; null: nobody.</param>
+        public static bool Run(SessionPlan plan, IEventSink sink, CancellationToken interrupted, SessionRecorder? recorder = null)
         {
             var pipeline = RangePipeline.CreateDefault(
                 CreateDetector(plan.Detector, plan.InfraredMapping),
@@ -38,7 +43,12 @@ namespace LaserTracking.Host.Sessions
                 plan.HandCamera != null,
                 plan.Scene == null ? null : new ShotScorer(plan.Scene),
                 sink,
-                new PipelineSettings { SceneTimeZeroUs = plan.SceneTimeZeroUs });
+                new PipelineSettings
+                {
+                    SceneTimeZeroUs = plan.SceneTimeZeroUs,
+                    Monitor = new PictureMonitorSettings { ExposureUs = plan.ExposureUs },
+                    Advisor = new AdvisorSettings { ExposureUs = plan.ExposureUs },
+                });
             pipeline.Begin(new SessionHeader(Version, plan.Inputs, plan.CalibrationName, plan.Detector, plan.Seed));
             ReportOtherSizes(pipeline, plan);
             if (plan.Detector == "dual" && plan.InfraredProblem != null)
@@ -48,11 +58,15 @@ namespace LaserTracking.Host.Sessions
             using var progress = new ProgressLine();
             using var runner = new SessionRunner(pipeline, plan.ScreenCamera, plan.HandCamera, plan.HandClockOffsetUs);
             var pace = new Pace(plan.IsPaced, interrupted);
+            long begun = 0;
             runner.BeforeFrame = frame =>
             {
                 pace.WaitFor(frame.TimeUs);
                 progress.Show(ProgressText(frame, plan.ScreenCamera.Info, watch));
+                begun = Stopwatch.GetTimestamp();
             };
+            if (recorder != null)
+                runner.AfterFrame = frame => recorder.AddFrame(frame.TimeUs, pipeline.BlindShare, (Stopwatch.GetTimestamp() - begun) * 1e3 / Stopwatch.Frequency);
             bool isComplete = runner.Run(interrupted);
             if (isComplete && plan.HandCamera != null && !runner.HasHandsInTime)
                 pipeline.ReportInputProblem(new FrameProblem(-1, "no frame of the second camera lies in the time of the first: nobody can be named; give the clocks' difference with --hand-offset-us"));

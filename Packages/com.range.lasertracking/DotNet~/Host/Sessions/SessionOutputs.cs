@@ -54,7 +54,7 @@ namespace LaserTracking.Host.Sessions
             if (dots != null)
                 sinks.Add(new JsonLinesSink(dots.Stream, EventTypes.Dots));
 
-            bool isComplete = RangeSession.Run(plan, new EventSinkGroup(sinks), interrupted);
+            bool isComplete = RangeSession.Run(plan, new EventSinkGroup(sinks), interrupted, Recorder);
             report?.Stream.Write(Report(plan, title));
             events?.Commit();
             dots?.Commit();

@@ -37,6 +37,9 @@ namespace LaserTracking.Host.Sessions
         /// <summary>See PipelineSettings.SceneTimeZeroUs.</summary>
         public long? SceneTimeZeroUs { get; init; }
 
+        /// <summary>Exposure of camera 0, µs; 0: not known.</summary>
+        public double ExposureUs { get; init; }
+
         public long HandClockOffsetUs { get; init; }
 
         /// <summary>Wait so that frames come at their own times.</summary>

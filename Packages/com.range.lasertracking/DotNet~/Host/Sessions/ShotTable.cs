@@ -24,7 +24,9 @@ namespace LaserTracking.Host.Sessions
             if (shots.Length > MaximumRows)
                 console.WriteLine($"… and {shots.Length - MaximumRows} more");
             console.WriteLine(Summary(session, shots, plan));
-            foreach (HealthEvent health in session.Health.Take(5))
+            foreach (HealthEvent advice in session.Health.Where(h => h.Kind == HealthKind.Advice))
+                console.WriteLine("seen here: " + advice.Text);
+            foreach (HealthEvent health in session.Health.Where(h => h.Kind != HealthKind.Advice).Take(5))
                 console.WriteLine($"health, frame {health.FrameIndex}: {health.Text}");
         }
 

@@ -12,6 +12,7 @@ namespace LaserTracking.Host.Studies
         {
             new ClipStressStudy(),
             new AmbientStudy(),
+            new AdvisorStudy(),
             new PastedDotsStudy(),
             new StaticStudy(),
             new FrameRateStudy(),

@@ -32,6 +32,9 @@ namespace LaserTracking.Detection
         /// <summary>Source pixels per working pixel along a side.</summary>
         public int Factor { get; private set; } = 1;
 
+        /// <summary>The full picture's.</summary>
+        public PixelFormat Format => _format;
+
         /// <summary>Frames taken in since the start.</summary>
         public long FrameCount { get; private set; }
 

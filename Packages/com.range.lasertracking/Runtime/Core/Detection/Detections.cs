@@ -37,12 +37,15 @@ namespace LaserTracking.Detection
         /// <summary>Share of the searched area, 0…1, in which a dot of ordinary strength could not be seen in this frame.</summary>
         public double BlindShare { get; set; }
 
+        /// <summary>The part of it that is too bright: no room is left above the background.</summary>
+        public double SaturatedShare { get; set; }
+
         public void Begin(int frameIndex, long timeUs)
         {
             FrameIndex = frameIndex;
             TimeUs = timeUs;
             _dotCount = _rejectedCount = OverflowCount = 0;
-            BlindShare = 0;
+            BlindShare = SaturatedShare = 0;
             ImageWidthPx = 0;
         }
 

@@ -23,6 +23,23 @@ namespace LaserTracking.Detection
         /// <summary>255·256 / (headroom + 8), by headroom.</summary>
         public int* Reciprocal;
 
+        public static FrameView Of(DetectionPlanes planes, GlobalChangeMeter change, uint* now, uint* before, byte* oldSmallest, byte* newSmallest,
+            byte* oldLargest, byte* newLargest, int* reciprocal) => new FrameView
+        {
+            Width = planes.Width,
+            Height = planes.Height,
+            ShiftX = change.ShiftX,
+            ShiftY = change.ShiftY,
+            IsBetweenPixels = change.IsBetweenPixels,
+            Now = now,
+            Before = before,
+            OldSmallest = oldSmallest,
+            NewSmallest = newSmallest,
+            OldLargest = oldLargest,
+            NewLargest = newLargest,
+            Reciprocal = reciprocal,
+        };
+
         public static int Level(uint pixel, DetectionPlane plane)
         {
             int blue = (int)(pixel & 255), green = (int)(pixel >> 8 & 255), red = (int)(pixel >> 16 & 255);

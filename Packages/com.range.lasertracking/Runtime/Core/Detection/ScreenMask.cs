@@ -9,6 +9,9 @@ namespace LaserTracking.Detection
         private Vector2D[] _corners = Array.Empty<Vector2D>();
         private double _orientation = 1;
 
+        /// <summary>Counts the changes.</summary>
+        public int Version { get; private set; }
+
         public bool IsWholePicture => _corners.Length == 0;
 
         /// <summary>Either turning direction will do.</summary>
@@ -19,6 +22,7 @@ namespace LaserTracking.Detection
                 throw new ArgumentNullException(nameof(cornersPx));
             if (cornersPx.Length == 0)
             {
+                Version++;
                 _corners = Array.Empty<Vector2D>();
                 return;
             }
@@ -33,6 +37,7 @@ namespace LaserTracking.Detection
 
             if (cornersPx.Length < 3 || Math.Abs(doubleArea) < 1)
                 throw new ArgumentException("the screen's polygon needs three corners or more and an area", nameof(cornersPx));
+            Version++;
             _corners = (Vector2D[])cornersPx.Clone();
             _orientation = doubleArea > 0 ? 1 : -1;
         }

@@ -12,7 +12,8 @@ namespace LaserTracking.Detection
     /// </summary>
     public sealed unsafe class ShotDetector : IShotDetector
     {
-        private const int GateFloor = 2;
+        /// <summary>Levels that a tile's largest onset must exceed in any case.</summary>
+        internal const int GateFloor = 2;
 
         private readonly ShotDetectorSettings _settings;
         private readonly DetectionPlanes _planes = new DetectionPlanes();
@@ -25,6 +26,7 @@ namespace LaserTracking.Detection
         private readonly GlobalChangeMeter _change = new GlobalChangeMeter();
         private readonly ContentCeiling _content = new ContentCeiling();
         private readonly ScreenMask _mask = new ScreenMask();
+        private readonly BlindMeter _blind;
         private readonly int[] _reciprocal = new int[256];
         private readonly Candidate[] _candidates;
         private readonly Candidate[] _seeds;
@@ -38,11 +40,13 @@ namespace LaserTracking.Detection
         {
             _settings = settings?.Clone() ?? new ShotDetectorSettings();
             _settings.Validate();
+            _blind = new BlindMeter(_settings);
             _judge = new CandidateJudge(_settings, _blobs);
             _candidates = new Candidate[4 * _settings.MaxCandidates];
             _seeds = new Candidate[_settings.MaxCandidates];
             _seedOrder = new int[_settings.MaxCandidates];
             _finder = new SeedFinder(_settings.MaxCandidates, _blobs, _memory);
+            Probe = new DetectorProbe(_settings, _planes, _change, _judge, _blobs, _finder, _reciprocal);
             for (int headroom = 0; headroom < 256; headroom++)
                 _reciprocal[headroom] = 255 * 256 / (headroom + 8);
         }
@@ -58,6 +62,9 @@ namespace LaserTracking.Detection
 
         /// <summary>Everything examined in the last frame, for tests and explanations.</summary>
         internal ReadOnlySpan<Candidate> Candidates => new ReadOnlySpan<Candidate>(_candidates, 0, _candidateCount);
+
+        /// <summary>To ask what it would have taken in the last frame.</summary>
+        internal DetectorProbe Probe { get; }
 
         public void SetScreenPolygon(Vector2D[] cornersPx) => _mask.Set(cornersPx);
 
@@ -83,6 +90,7 @@ namespace LaserTracking.Detection
                 _noise.Scale(isSmooth ? 0.375 : 1 / 0.375);
             }
 
+            Probe.IsSmooth = _isSmooth;
             _change.Measure(image, rawNoise);
             _content.Scale(_change.Gain);
             _planes.Update(image, _change, _change.IsUnsteady ? (frame.Index & 3) / 3 : _settings.EnvelopeDecay, _isSmooth, _settings.UseVectors);
@@ -98,21 +106,7 @@ namespace LaserTracking.Detection
             fixed (byte* oldMin = _planes.OldSmallest, newMin = _planes.NewSmallest, oldMax = _planes.OldLargest, newMax = _planes.NewLargest)
             fixed (int* reciprocal = _reciprocal)
             {
-                var view = new FrameView
-                {
-                    Width = _planes.Width,
-                    Height = _planes.Height,
-                    ShiftX = _change.ShiftX,
-                    ShiftY = _change.ShiftY,
-                    IsBetweenPixels = _change.IsBetweenPixels,
-                    Now = now,
-                    Before = before,
-                    OldSmallest = oldMin,
-                    NewSmallest = newMin,
-                    OldLargest = oldMax,
-                    NewLargest = newMax,
-                    Reciprocal = reciprocal,
-                };
+                FrameView view = FrameView.Of(_planes, _change, now, before, oldMin, newMin, oldMax, newMax, reciprocal);
                 Search(image, view, detections);
             }
         }
@@ -123,6 +117,7 @@ namespace LaserTracking.Detection
             _judge.Scale = Math.Max(0.25, scale);
             _blobs.Resize(_planes.Width * _planes.Height, (int)(_settings.MaxAreaPx * _judge.Scale * _judge.Scale) + 1);
             _memory.Clear();
+            _blind.Resize();
             _noise.Reset();
             _change.Reset(_planes.Width, _planes.Height, _planes.Factor);
             _content.Reset();
@@ -141,7 +136,7 @@ namespace LaserTracking.Detection
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
             Trace?.Spot?.Look(view, _judge.IsContentKnown ? _content.Level + _settings.MinContentExcess : 256, _memory);
-            detections.BlindShare = _planes.SmallestTiles.BusyShare;
+            _blind.Measure(view, _planes.SmallestTiles, _mask, _planes.Factor, _noise.Sigma, _judge.IsContentKnown, detections);
             _memory.ReportTraces(view, _noise.Sigma, detections);
             _memory.Protect(view, _planes.SmallestTiles, _planes.LargestTiles);
             _planes.SmallestTiles.Learn();

@@ -10,6 +10,10 @@ namespace LaserTracking.Detection
     {
         public const int Size = 16;
         private const float Follow = 0.25f;
+
+        /// <summary>Share of its activity that a tile's onset must exceed.</summary>
+        public const float GateShare = 0.9f;
+
         private readonly int[] _histogram = new int[256];
         private byte[] _onsets = Array.Empty<byte>();
         private float[] _activity = Array.Empty<float>();
@@ -50,22 +54,6 @@ namespace LaserTracking.Detection
             _activity = new float[Columns * Rows];
             _isExempt = new bool[Columns * Rows];
             _hot = new int[Columns * Rows];
-        }
-
-        /// <summary>Share of the tiles that lately moved by a third of full brightness: an ordinary dot would drown there.</summary>
-        public double BusyShare
-        {
-            get
-            {
-                int busy = 0;
-                foreach (float activity in _activity)
-                {
-                    if (activity >= 85)
-                        busy++;
-                }
-
-                return _activity.Length == 0 ? 0 : busy / (double)_activity.Length;
-            }
         }
 
         /// <summary>Reduces a row of column maxima to the tiles of one tile row.</summary>
@@ -147,7 +135,7 @@ namespace LaserTracking.Detection
         }
 
         /// <summary>What the tile's onset must exceed to be hot, levels.</summary>
-        public int Gate(int tile, int floor) => floor + (int)(0.9f * _activity[tile]);
+        public int Gate(int tile, int floor) => floor + (int)(GateShare * _activity[tile]);
 
         private int Surprise(int i, int floor) => _onsets[i] - Gate(i, floor);
     }

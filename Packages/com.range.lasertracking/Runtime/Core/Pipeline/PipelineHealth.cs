@@ -1,62 +1,134 @@
 using System;
 using LaserTracking.Capture;
 using LaserTracking.Detection;
+using LaserTracking.Geometry;
+using LaserTracking.Health;
 using LaserTracking.Session;
 
 namespace LaserTracking.Pipeline
 {
-    /// <summary>Watches the stream itself and says once, not every frame, when something is wrong with it.</summary>
+    /// <summary>Watches the stream, the picture and the detector and says once, not every frame, when something is wrong.</summary>
     internal sealed class PipelineHealth
     {
+        private const int RoundsOfAdvice = 3;
+        private const long GapMemoryUs = 10_000_000;
+        private const int GapsThatPersist = 3;
+        private const long BlindAfterUs = 300_000;
+        private const long OverflowAfterUs = 200_000;
+        private const long SeeingAfterUs = 2_000_000;
+
         private readonly PipelineSettings _settings;
-        private readonly IEventSink _sink;
+        private readonly HealthWriter _health;
+        private readonly PictureMonitor _monitor;
+        private DetectionAdvisor? _advisor;
         private long _lastTimeUs = long.MinValue;
         private double _usualIntervalUs;
-        private bool _wasBlind;
-        private bool _overflowed;
+        private long _firstGapUs = long.MinValue;
+        private long _lastGapUs;
+        private int _gaps;
+        private int _lost;
+        private Condition _clock;
+        private Condition _blind;
+        private Condition _overflow;
         private bool _hadPicture = true;
 
-        public PipelineHealth(PipelineSettings settings, IEventSink sink)
+        /// <param name="settings">Of the pipeline.</param>
+        /// <param name="sink">Receives what is noticed.</param>
+        /// <param name="detector">Asked what it can see; other detectors than the default one cannot be.</param>
+        /// <param name="screen">Where the screen is; null: the whole picture.</param>
+        public PipelineHealth(PipelineSettings settings, IEventSink sink, IShotDetector detector, ScreenGeometry? screen)
         {
             _settings = settings;
-            _sink = sink;
+            _health = new HealthWriter(sink);
+            _monitor = new PictureMonitor(sink, settings.Monitor);
+            if (screen != null)
+                _monitor.SetScreenPolygon(screen.CornersPx);
+            if (settings.Advisor != null && detector is ShotDetector shots)
+                _advisor = new DetectionAdvisor(shots, settings.Advisor, screen);
         }
 
         public void CheckFrame(Frame frame, bool hasPicture)
         {
+            _health.Begin(frame.Index, frame.TimeUs);
             if (!hasPicture && _hadPicture)
-                Report(frame.Index, frame.TimeUs, HealthKind.FrameGap, 1, "the picture of this frame is missing or damaged; it was skipped");
+                _health.Say(HealthKind.FrameGap, 1, "the picture of this frame is missing or damaged; it was skipped");
             _hadPicture = hasPicture;
             if (_lastTimeUs != long.MinValue)
+                CheckInterval(frame.TimeUs - _lastTimeUs);
+            _lastTimeUs = frame.TimeUs;
+            if (hasPicture)
+                _monitor.Process(frame);
+        }
+
+        public void CheckDetections(Frame frame, Detections detections)
+        {
+            _health.Begin(detections.FrameIndex, detections.TimeUs);
+            Advise(frame);
+            double blind = detections.BlindShare, limit = _settings.BlindShareLimit;
+            if (_blind.Update(blind > limit, blind <= 0.7 * limit, detections.TimeUs, BlindAfterUs, SeeingAfterUs))
+                _health.Say(HealthKind.Blind, blind, _blind.IsOn ? BlindText(blind, detections.SaturatedShare) : FormattableString.Invariant($"a dot can be seen again in {(1 - blind) * 100:F0} % of the screen"));
+            int overflow = detections.OverflowCount;
+            if (_overflow.Update(overflow > 0, overflow == 0, detections.TimeUs, OverflowAfterUs, SeeingAfterUs) && _overflow.IsOn)
+                _health.Say(HealthKind.Overflow, overflow, "so much changes at once that only the strongest spots are examined and faint shots are missed: lower the exposure, so that less of the picture changes");
+        }
+
+        public void ReportInput(FrameProblem problem, long timeUs)
+        {
+            _health.Begin(problem.FrameIndex, timeUs);
+            _health.Say(HealthKind.Input, problem.Offset, problem.What);
+        }
+
+        /// <summary>Once, after a few looks at every part of the screen.</summary>
+        private void Advise(Frame frame)
+        {
+            if (_advisor == null)
+                return;
+            _advisor.Look(frame);
+            if (_advisor.Rounds < RoundsOfAdvice)
+                return;
+            DetectionAdvice advice = _advisor.Advise();
+            _health.Say(HealthKind.Advice, advice.DimmestMw, advice.Sentence);
+            _advisor = null;
+        }
+
+        private static string BlindText(double blind, double saturated)
+        {
+            double moving = blind - saturated;
+            string head = FormattableString.Invariant($"a dot cannot be seen in {blind * 100:F0} % of the screen: ");
+            if (saturated >= moving)
+                return head + (moving < 0.05 ? "it is too bright" : FormattableString.Invariant($"{saturated * 100:F0} % is too bright, in {moving * 100:F0} % too much moves")) + "; lower the exposure";
+            return head + (saturated < 0.05 ? "too much moves" : FormattableString.Invariant($"in {moving * 100:F0} % too much moves, {saturated * 100:F0} % is too bright")) + "; lower the exposure until a dot is brighter than the picture";
+        }
+
+        private void CheckInterval(long interval)
+        {
+            if (_clock.Update(interval <= 0, interval > 0, _health.TimeUs, 0, GapMemoryUs) && _clock.IsOn)
+                _health.Say(HealthKind.FrameGap, interval * 1e-6, "time stands still or runs back; times of shots around here are doubtful");
+            if (interval <= 0)
+                return;
+            if (_usualIntervalUs > 0 && interval > _usualIntervalUs * _settings.FrameGapFactor)
+                NoteGap(interval);
+            _usualIntervalUs = _usualIntervalUs > 0 ? _usualIntervalUs + (Math.Min(interval, 2 * _usualIntervalUs) - _usualIntervalUs) * 0.1 : interval;
+        }
+
+        /// <summary>The first gap is said, and once that they go on; the next only after a while without.</summary>
+        private void NoteGap(long interval)
+        {
+            long now = _health.TimeUs;
+            int lost = (int)Math.Min(int.MaxValue / 2, Math.Round(interval / _usualIntervalUs) - 1);
+            if (_firstGapUs == long.MinValue || now - _lastGapUs > GapMemoryUs || now < _lastGapUs)
             {
-                long interval = frame.TimeUs - _lastTimeUs;
-                if (interval <= 0)
-                    Report(frame.Index, frame.TimeUs, HealthKind.FrameGap, interval * 1e-6, "time stands still or runs back; times of shots around here are doubtful");
-                else if (_usualIntervalUs > 0 && interval > _usualIntervalUs * _settings.FrameGapFactor)
-                    Report(frame.Index, frame.TimeUs, HealthKind.FrameGap, interval * 1e-6, "frames are missing before this one; shots fired meanwhile are lost");
-                if (interval > 0)
-                    _usualIntervalUs = _usualIntervalUs > 0 ? _usualIntervalUs + (Math.Min(interval, 2 * _usualIntervalUs) - _usualIntervalUs) * 0.1 : interval;
+                _firstGapUs = now;
+                _gaps = _lost = 0;
             }
 
-            _lastTimeUs = frame.TimeUs;
+            _lastGapUs = now;
+            _gaps++;
+            _lost += lost;
+            if (_gaps == 1)
+                _health.Say(HealthKind.FrameGap, interval * 1e-6, FormattableString.Invariant($"{lost} frames are missing before this one; shots fired meanwhile are lost"));
+            else if (_gaps == GapsThatPersist)
+                _health.Say(HealthKind.FrameGap, interval * 1e-6, FormattableString.Invariant($"frames keep getting lost, {_lost} within {(now - _firstGapUs) * 1e-6:F1} s: give the camera a USB port of its own and close other programs"));
         }
-
-        public void CheckDetections(Detections detections)
-        {
-            bool isBlind = detections.BlindShare > _settings.BlindShareLimit;
-            if (isBlind && !_wasBlind)
-                Report(detections.FrameIndex, detections.TimeUs, HealthKind.Blind, detections.BlindShare, "too bright or too busy to see a dot in much of the picture; lower the exposure");
-            _wasBlind = isBlind;
-            bool overflows = detections.OverflowCount > 0;
-            if (overflows && !_overflowed)
-                Report(detections.FrameIndex, detections.TimeUs, HealthKind.Overflow, detections.OverflowCount, "so much changes at once that only the strongest spots are examined; a shot just now could be missed");
-            _overflowed = overflows;
-        }
-
-        public void ReportInput(FrameProblem problem, long timeUs) =>
-            Report(problem.FrameIndex, timeUs, HealthKind.Input, problem.Offset, problem.What);
-
-        private void Report(int frameIndex, long timeUs, HealthKind kind, double value, string text) =>
-            _sink.OnHealth(new HealthEvent { FrameIndex = frameIndex, TimeUs = timeUs, Kind = kind, Value = value, Text = text });
     }
 }

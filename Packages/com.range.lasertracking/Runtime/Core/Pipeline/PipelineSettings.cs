@@ -1,4 +1,6 @@
 using System;
+using LaserTracking.Detection;
+using LaserTracking.Health;
 
 namespace LaserTracking.Pipeline
 {
@@ -16,6 +18,12 @@ namespace LaserTracking.Pipeline
         /// <summary>A gap of more than this many usual frame intervals is reported; above 1.</summary>
         public double FrameGapFactor { get; set; } = 2.5;
 
+        /// <summary>When the picture itself is worth a word.</summary>
+        public PictureMonitorSettings Monitor { get; set; } = new PictureMonitorSettings();
+
+        /// <summary>What is said about what can be seen here after the first seconds; null: nothing.</summary>
+        public AdvisorSettings? Advisor { get; set; } = new AdvisorSettings();
+
         /// <exception cref="ArgumentException">A value is outside its range.</exception>
         public void Validate()
         {
@@ -23,6 +31,8 @@ namespace LaserTracking.Pipeline
                 throw new ArgumentException("BlindShareLimit must lie in 0…1");
             if (!(FrameGapFactor > 1) || double.IsInfinity(FrameGapFactor))
                 throw new ArgumentException("FrameGapFactor must be above 1");
+            Monitor.Validate();
+            Advisor?.Validate();
         }
     }
 }

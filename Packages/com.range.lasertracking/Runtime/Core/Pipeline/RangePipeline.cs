@@ -57,7 +57,7 @@ namespace LaserTracking.Pipeline
             _fusion = _handTracker == null ? null : fusion;
             _scorer = calibration == null ? null : scorer;
             _sink = sink;
-            _health = new PipelineHealth(_settings, sink);
+            _health = new PipelineHealth(_settings, sink, detector, calibration?.Screen);
             if (calibration != null)
                 detector.SetScreenPolygon(calibration.Screen.CornersPx);
         }
@@ -78,6 +78,9 @@ namespace LaserTracking.Pipeline
             var fusion = new ShooterAssignment(camera, new FusionSettings { ScreenAreaM2 = sizeM.X * sizeM.Y });
             return new RangePipeline(detector, new ShotTracker(), calibration, new DepthHandTracker(camera), fusion, scorer, sink, settings);
         }
+
+        /// <summary>Share of the screen, 0…1, in which the last frame could not have shown a dot: too bright, or too much moved.</summary>
+        public double BlindShare => _detections.BlindShare;
 
         /// <summary>Starts a session; once, before the first frame.</summary>
         public void Begin(SessionHeader header) => _sink.Begin(header);
@@ -105,7 +108,7 @@ namespace LaserTracking.Pipeline
                 _tracker.Process(_detections);
             else
                 return;
-            _health.CheckDetections(_detections);
+            _health.CheckDetections(frame, _detections);
             ReportRejected(_detections.Rejected);
             ReportRejected(_tracker.Rejected);
             ReportShots();

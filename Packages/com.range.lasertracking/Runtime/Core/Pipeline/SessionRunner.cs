@@ -38,6 +38,9 @@ namespace LaserTracking.Pipeline
         /// <summary>Called before every frame of camera 0: the place for progress and pacing.</summary>
         public Action<Frame>? BeforeFrame { get; set; }
 
+        /// <summary>Called after every frame of camera 0: the place for statistics.</summary>
+        public Action<Frame>? AfterFrame { get; set; }
+
         /// <summary>The frame of camera 0 that was read last.</summary>
         public Frame Current { get; } = new Frame();
 
@@ -88,6 +91,7 @@ namespace LaserTracking.Pipeline
 
             BeforeFrame?.Invoke(Current);
             _pipeline.Process(Current);
+            AfterFrame?.Invoke(Current);
             PassOnProblems(_screenCamera, ref _screenProblems);
             if (_handCamera != null)
                 PassOnProblems(_handCamera, ref _handProblems);

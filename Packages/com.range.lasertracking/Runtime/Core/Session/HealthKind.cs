@@ -14,5 +14,29 @@ namespace LaserTracking.Session
 
         /// <summary>More was found than there is room for. Value: how many were dropped.</summary>
         Overflow = 3,
+
+        /// <summary>Part of the screen is so bright that a dot has no room above it. Value: share.</summary>
+        Overexposed = 4,
+
+        /// <summary>The picture is almost black. Value: brightness of its brightest parts, 0…255.</summary>
+        Underexposed = 5,
+
+        /// <summary>The picture flickers, as a whole or in bands. Value: swing to either side, levels.</summary>
+        Flicker = 6,
+
+        /// <summary>The whole picture grew brighter or darker by itself. Value: factor on the light.</summary>
+        ExposureChange = 7,
+
+        /// <summary>The whole picture changed its colours by itself. Value: factor on the colour named, against green.</summary>
+        ColorChange = 8,
+
+        /// <summary>The camera was bumped and looks elsewhere. Value: displacement, px.</summary>
+        CameraMoved = 9,
+
+        /// <summary>The same picture again and again. Value: for how long, seconds.</summary>
+        PictureFrozen = 10,
+
+        /// <summary>What can be seen here and what cannot. Value: smallest power or contrast that is caught.</summary>
+        Advice = 11,
     }
 }

@@ -53,11 +53,24 @@ namespace LaserTracking.Session
 
         public int HandCount { get; private set; }
 
-        /// <summary>Filled by the pipeline's owner, frame by frame; empty for sessions read from a file.</summary>
+        /// <summary>Filled by the pipeline's owner with <see cref="AddFrame"/>; empty for sessions read from a file.</summary>
         public FrameStatistics Frames { get; } = new FrameStatistics();
+
+        /// <summary>When the screen was blind and how much of it; filled together with <see cref="Frames"/>.</summary>
+        public BlindTimeline Blind { get; } = new BlindTimeline();
 
         /// <summary>Where the session's seconds begin: the first frame, or the first event when that is not known.</summary>
         public long StartTimeUs => _summary.StartTimeUs ?? (_firstEventUs == long.MaxValue ? 0 : _firstEventUs);
+
+        /// <summary>Notes a frame: what it showed and cost.</summary>
+        /// <param name="timeUs">Its time on the recording's clock.</param>
+        /// <param name="blindShare">Share of the screen in which a dot could not be seen, 0…1.</param>
+        /// <param name="processingMs">Frame in to events out, milliseconds; NaN when it was not measured.</param>
+        public void AddFrame(long timeUs, double blindShare, double processingMs)
+        {
+            Frames.Add(blindShare, processingMs);
+            Blind.Add(timeUs, blindShare);
+        }
 
         public int CountOf(RejectionReason reason) => _rejectedByReason[(int)reason];
 

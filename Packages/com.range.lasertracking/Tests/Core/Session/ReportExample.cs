@@ -45,7 +45,7 @@ namespace LaserTracking.Session
             recorder.OnHealth(new HealthEvent { FrameIndex = 212, TimeUs = StartUs + 7066000, Kind = HealthKind.FrameGap, Value = 2, Text = "two frames are missing: give the camera its own USB controller" });
             recorder.OnHealth(new HealthEvent { FrameIndex = 300, TimeUs = StartUs + 10000000, Kind = HealthKind.Blind, Value = 0.12, Text = "12 % of the screen is too bright to see a dot in: lower the exposure" });
             for (int i = 0; i < 450; i++)
-                recorder.Frames.Add(i < 40 ? 0.12 : 0, 0.8 + 0.01 * (i % 50));
+                recorder.AddFrame(StartUs + i * 33333L, i < 40 ? 0.12 : 0, 0.8 + 0.01 * (i % 50));
             recorder.End(new SessionEnd { Frames = 450, Dropped = 2, SecondsMedia = 14.967, SecondsWall = 1.7, StartTimeUs = StartUs });
             return recorder;
         }

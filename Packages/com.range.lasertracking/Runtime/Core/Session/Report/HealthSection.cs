@@ -17,7 +17,7 @@ namespace LaserTracking.Session
             Fact(html, "Without a usable picture").Integer(session.Summary.Dropped).Raw("</dd></div>");
             if (session.Frames.Count > 0)
             {
-                Fact(html, "Picture blind on average").Number(session.Frames.MeanBlindShare * 100, 1).Raw(" %</dd></div>");
+                Fact(html, "Screen blind on average").Number(session.Frames.MeanBlindShare * 100, 1).Raw(" %</dd></div>");
                 Fact(html, "Worst frame").Number(session.Frames.LargestBlindShare * 100, 1).Raw(" % blind</dd></div>");
             }
 
@@ -37,7 +37,14 @@ namespace LaserTracking.Session
         private static void DrawProblems(HtmlWriter html, ReportData data)
         {
             SessionRecorder session = data.Session;
-            if (session.HealthCount == 0)
+            foreach (HealthEvent health in session.Health)
+            {
+                if (health.Kind == HealthKind.Advice)
+                    html.Raw("<p><b>What is caught here:</b> ").Text(health.Text).Raw(".</p>\n");
+            }
+
+            int problems = session.HealthCount - session.CountOf(HealthKind.Advice);
+            if (problems == 0)
             {
                 html.Raw("<p class=\"good\">No problems were noticed.</p>\n");
                 return;
@@ -48,6 +55,8 @@ namespace LaserTracking.Session
             int rows = 0;
             foreach (HealthEvent health in session.Health)
             {
+                if (health.Kind == HealthKind.Advice)
+                    continue;
                 if (rows++ == MostRows)
                     break;
                 html.Raw("<tr><td class=\"n\">").Column((health.TimeUs - session.StartTimeUs) * 1e-6, 2).Raw("</td><td class=\"n\">").Integer(health.FrameIndex)
@@ -55,8 +64,8 @@ namespace LaserTracking.Session
             }
 
             html.Raw("</tbody></table></div>\n");
-            if (session.HealthCount > MostRows)
-                html.Raw("<p>and ").Integer(session.HealthCount - MostRows).Raw(" more: events.jsonl has them.</p>\n");
+            if (problems > MostRows)
+                html.Raw("<p>and ").Integer(problems - MostRows).Raw(" more: events.jsonl has them.</p>\n");
         }
 
         private static void DrawRejected(HtmlWriter html, SessionRecorder session)

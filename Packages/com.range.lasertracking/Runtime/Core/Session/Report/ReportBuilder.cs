@@ -27,7 +27,7 @@ namespace LaserTracking.Session
                 ReportTables.Shooters(html, data);
                 html.Raw("<h3>Shots in time</h3>\n");
                 Timeline.Draw(html, data);
-                html.Raw("<p class=\"caption\">Numbers below a lane are the seconds between its shots.</p>\n</section>\n");
+                html.Raw("<p class=\"caption\">Numbers below a lane are the seconds between its shots. Bars at the foot: share of the screen in which a dot could not be seen; marks at the top: see the health of the recording.</p>\n</section>\n");
                 Section(html, "Shots");
                 html.Raw("<p class=\"hint\">Point at a row or a hole to see both; click to keep it. Arrows in “Split” mark a change of target.</p>\n");
                 ReportTables.Shots(html, data);

@@ -11,6 +11,7 @@ namespace LaserTracking.Session
         private const double LaneHeight = 54;
         private const double RoomForInterval = 30;
         private const double RoomForNumber = 15;
+        private const double BlindHeight = 18;
 
         public static void Draw(HtmlWriter html, ReportData data)
         {
@@ -24,7 +25,43 @@ namespace LaserTracking.Session
             DrawAxis(html, start, end, height);
             for (int lane = 0; lane < data.Shooters.Count; lane++)
                 DrawLane(html, data, lane, start, end);
+            DrawBlind(html, data, start, end, height - 26);
+            DrawHealth(html, data, start, end);
             html.Raw("</svg></div>\n");
+        }
+
+        /// <summary>A band at the foot, as dark as the screen was blind.</summary>
+        private static void DrawBlind(HtmlWriter html, ReportData data, double start, double end, double bottom)
+        {
+            BlindTimeline blind = data.Session.Blind;
+            html.Raw("<g class=\"blind\">");
+            for (int i = 0; i < blind.Count; i++)
+            {
+                double share = blind.MeanShare(i), from = (blind.BeginUs(i) - data.Session.StartTimeUs) * 1e-6, to = from + blind.StepUs * 1e-6;
+                from = Math.Max(from, start);
+                to = Math.Min(to, end);
+                if (share < 0.005 || from >= to)
+                    continue;
+                double height = Math.Max(1, share * BlindHeight);
+                html.Raw("<rect x=\"").Number(At(from, start, end), 1).Raw("\" y=\"").Number(bottom - height, 1).Raw("\" width=\"")
+                    .Number(At(to, start, end) - At(from, start, end), 1).Raw("\" height=\"").Number(height, 1).Raw("\"><title>")
+                    .Number(share * 100, 0).Raw(" % of the screen blind</title></rect>");
+            }
+
+            html.Raw("</g>\n");
+        }
+
+        private static void DrawHealth(HtmlWriter html, ReportData data, double start, double end)
+        {
+            html.Raw("<g class=\"health\">");
+            foreach (HealthEvent health in data.Session.Health)
+            {
+                double time = (health.TimeUs - data.Session.StartTimeUs) * 1e-6;
+                if (health.Kind != HealthKind.Advice && time >= start && time <= end)
+                    html.Raw("<path d=\"M").Number(At(time, start, end), 1).Raw(" 2l4 7h-8z\"><title>").Text(health.Text).Raw("</title></path>");
+            }
+
+            html.Raw("</g>\n");
         }
 
         private static double At(double timeS, double start, double end) => Left + (timeS - start) / (end - start) * (Right - Left);

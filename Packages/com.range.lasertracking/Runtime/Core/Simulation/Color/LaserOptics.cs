@@ -32,32 +32,6 @@ namespace LaserTracking.Simulation
         }
 
         /// <summary>
-        /// Signal of one watt per m² of monochromatic light in red, green and blue relative to the same of projected white, which
-        /// spreads over three channels: a colour filter passes one of them and leaks a tenth of its neighbours'.
-        /// </summary>
-        public static void Response(LaserColor color, out float red, out float green, out float blue)
-        {
-            switch (color)
-            {
-                case LaserColor.Red:
-                    red = 2.3f;
-                    green = 0.2f;
-                    blue = 0.1f;
-                    break;
-                case LaserColor.Infrared:
-                    red = 0.05f;
-                    green = 0.03f;
-                    blue = 0.045f;
-                    break;
-                default:
-                    red = 0.3f;
-                    green = 2.7f;
-                    blue = 0.42f;
-                    break;
-            }
-        }
-
-        /// <summary>
         /// The dot's shape at a point of the picture (before bumps) at a time: covariance in px², and the signal in units of
         /// saturation that one µs of light brings to a pixel of unit share and unit response.
         /// </summary>
@@ -86,7 +60,7 @@ namespace LaserTracking.Simulation
             LaserSettings laser = _shooters[shooter].Laser;
             double signal = Shape(shooter, imagePx, timeS, out Covariance2D c) * lightUs;
             double determinant = c.XX * c.YY - c.XY * c.XY;
-            Response(laser.Color, out float red, out float green, out float blue);
+            LaserResponse.Of(laser.Color, out float red, out float green, out float blue);
             double sigma = Math.Sqrt(Math.Sqrt(determinant));
             double smear = Math.Sqrt(1 + streakPx * streakPx / (2 * Math.PI * sigma * sigma));
             double share = 1 - laser.HaloShare + laser.HaloShare * 2 / (laser.HaloScale * laser.HaloScale);

@@ -52,7 +52,7 @@ namespace LaserTracking.Simulation
             Vector2D middle = _light.ImagePx(shot, middleS, shift);
             double signal = _optics.Shape(shot.Shooter, middle - shift, middleS, out Covariance2D shape) * (end - begin) * SensorModel.FullScale;
             signal *= CameraScene.Vignette(camera, middle.X, middle.Y);
-            LaserOptics.Response(laser.Color, out float red, out float green, out float blue);
+            LaserResponse.Of(laser.Color, out float red, out float green, out float blue);
             double strongest = Math.Max(red, Math.Max(green, blue));
             double root = Math.Sqrt(shape.XX * shape.YY - shape.XY * shape.XY);
             double widest = Math.Sqrt(Math.Max(shape.XX, shape.YY));

@@ -47,9 +47,9 @@ namespace LaserTracking.Simulation
 
         /// <summary>
         /// One row of signals (blue, green, red, unused) to BGRA bytes. Noise depends on the pixel's index and the frame's key only.
-        /// Light that flickers comes in the same layout, or as null; its strength in this row: 4096 = 1.
+        /// Light that flickers comes in the same layout, or as null; its strength in this row, and the exposure's factor: 4096 = 1.
         /// </summary>
-        public void DevelopRow(ushort* signal, ushort* ambient, int ambientQ12, int count, uint firstIndex, uint key, byte* bgra)
+        public void DevelopRow(ushort* signal, ushort* ambient, int ambientQ12, int exposureQ12, int count, uint firstIndex, uint key, byte* bgra)
         {
             fixed (byte* toneBase = _tone)
             fixed (ushort* noise = _noise)
@@ -65,6 +65,13 @@ namespace LaserTracking.Simulation
                         b = Math.Min(Largest, b + (ambient[4 * x] * ambientQ12 >> 12));
                         g = Math.Min(Largest, g + (ambient[4 * x + 1] * ambientQ12 >> 12));
                         r = Math.Min(Largest, r + (ambient[4 * x + 2] * ambientQ12 >> 12));
+                    }
+
+                    if (exposureQ12 != 4096)
+                    {
+                        b = (int)Math.Min(Largest, (long)b * exposureQ12 >> 12);
+                        g = (int)Math.Min(Largest, (long)g * exposureQ12 >> 12);
+                        r = (int)Math.Min(Largest, (long)r * exposureQ12 >> 12);
                     }
 
                     b += gaussian[random >> 22] * noise[b >> 4] + 2048 >> 12;

@@ -102,7 +102,7 @@ namespace LaserTracking.Simulation
             int offset = y * width;
             ushort* ambient = flickering == null ? null : flickering + offset * 4;
             int strength = flickering == null ? 0 : (int)Math.Round(4096 * AmbientStrength(_light.ExposureBeginUs(frame, y)));
-            _sensor.DevelopRow(signals + offset * 4, ambient, strength, width, (uint)offset, key, bgra);
+            _sensor.DevelopRow(signals + offset * 4, ambient, strength, (int)Math.Round(4096 * _light.ExposureFactor(frame)), width, (uint)offset, key, bgra);
         }
 
         // Mean of 1 + depth sin(2π f t) over the exposure.

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using LaserTracking.Geometry;
 using LaserTracking.Imaging;
 
@@ -64,6 +65,9 @@ namespace LaserTracking.Simulation
         /// <summary>Horizontal field of view, degrees; 0: as much as shows the whole screen with a small margin.</summary>
         public double FieldOfViewDeg { get; set; }
 
+        /// <summary>What automatic exposure does; none by default.</summary>
+        public List<ExposureStepSettings> ExposureSteps { get; } = new List<ExposureStepSettings>();
+
         internal void Visit(ScenarioVisitor v)
         {
             Width = v.Integer("width", Width, 16, 4096);
@@ -86,6 +90,7 @@ namespace LaserTracking.Simulation
             LookAtM = v.Point("look_at_m", LookAtM, 100);
             RollDeg = v.Number("roll_deg", RollDeg, -180, 180);
             FieldOfViewDeg = v.Number("field_of_view_deg", FieldOfViewDeg, 0, 150);
+            v.List("exposure_steps", ExposureSteps, () => new ExposureStepSettings(), (step, inner) => step.Visit(inner));
             if (Width % 2 != 0)
                 v.Refuse("width", "is odd", "give an even number");
             if (Height % 2 != 0)

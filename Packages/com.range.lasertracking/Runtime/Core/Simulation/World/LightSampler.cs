@@ -40,6 +40,15 @@ namespace LaserTracking.Simulation
             return shift;
         }
 
+        /// <summary>Factor on all light of a frame: what automatic exposure made of it.</summary>
+        public double ExposureFactor(int frame)
+        {
+            double factor = 1;
+            foreach (ExposureStepSettings step in _camera.ExposureSteps)
+                factor *= step.At(Timing.MidUs(frame) * 1e-6);
+            return factor;
+        }
+
         /// <summary>True time at which a row's exposure begins; row may be a fraction.</summary>
         public double ExposureBeginUs(int frame, double row) =>
             Timing.MidUs(frame) - _camera.ExposureUs / 2 + (row - (_camera.Height - 1) / 2.0) * _camera.RollingShutterRowUs;

@@ -40,7 +40,7 @@ namespace LaserTracking.Simulation
                 sum += light.ImagePx(shot, LightSampler.SampleTimeS(begin, end, i, count), shift);
             Vector2D first = light.ImagePx(shot, begin / 1e6, shift), last = light.ImagePx(shot, end / 1e6, shift);
             double peak = optics.Peak(shot.Shooter, sum * (1.0 / count) - shift, begin / 1e6, end - begin, (last - first).Length);
-            return new TrueDot(id, frame, sum * (1.0 / count), first, last, end - begin, peak);
+            return new TrueDot(id, frame, sum * (1.0 / count), first, last, end - begin, peak * light.ExposureFactor(frame));
         }
 
         private static TrueShot Describe(SimulationScenario scenario, SceneView view, PlannedShot shot, int id, ShooterMotion[] motions, LightSampler light)
