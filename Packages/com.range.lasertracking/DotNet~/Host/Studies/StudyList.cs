@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using LaserTracking.Host.Studies.Clips;
+using LaserTracking.Host.Studies.Measuring;
 
 namespace LaserTracking.Host.Studies
 {
@@ -9,6 +10,7 @@ namespace LaserTracking.Host.Studies
         public static IReadOnlyList<IStudy> All { get; } = new IStudy[]
         {
             new ClipStressStudy(),
+            new PositionStudy(),
         };
     }
 }

@@ -1,0 +1,227 @@
+using System;
+using LaserTracking.Imaging;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>
+    /// The neighbourhood of a dot on the full-resolution frame as light above its background. Channels count as much as they rose,
+    /// or luma alone where chroma is coarse; the frame before is subtracted as far as it explains the window's border.
+    /// </summary>
+    internal sealed unsafe class DotWindow
+    {
+        private const int MaxSide = 192;
+
+        /// <summary>Width of the border that tells background and noise, px.</summary>
+        private const int Border = 2;
+
+        /// <summary>A pixel counts as clipped from this channel value on: no noise and no speckle shows in it.</summary>
+        private const int ClippedLevel = 252;
+
+        /// <summary>Noise through peak at the border, above which the background counts as moving.</summary>
+        private const double MaxRestlessness = 0.1;
+
+        /// <summary>Noise through the frame's temporal noise, above which the past does not explain the border.</summary>
+        private const double MaxTexture = 3;
+
+        private readonly uint[] _row = new uint[MaxSide];
+        private readonly float[] _past = new float[MaxSide * MaxSide];
+
+        public float[] Light { get; } = new float[MaxSide * MaxSide];
+
+        /// <summary>The channel that counts most has no room left here.</summary>
+        public bool[] Clipped { get; } = new bool[MaxSide * MaxSide];
+
+        public int Left { get; private set; }
+
+        public int Top { get; private set; }
+
+        public int Width { get; private set; }
+
+        public int Height { get; private set; }
+
+        /// <summary>Standard deviation of the light at the border: noise, and texture that is not explained.</summary>
+        public double Noise { get; private set; }
+
+        /// <summary>Largest light inside the candidate's box.</summary>
+        public double Peak { get; private set; }
+
+        /// <summary>Brightest channel value in the window, 0…255.</summary>
+        public int PeakLevel { get; private set; }
+
+        /// <summary>Cuts the window out and subtracts the background.</summary>
+        public void Fill(Image image, in FrameView view, int factor, in Candidate candidate, double noise)
+        {
+            Place(image, factor, candidate);
+            Channels(image, view, factor, candidate, out float blue, out float green, out float red);
+            Gather(image, view, factor, candidate, blue, green, red, false);
+            SubtractBackground();
+
+            // The past is known at half size only: fine texture shows in the difference unless both are compared at that size.
+            double fullNoise = Noise;
+            if (factor > 1 && fullNoise > MaxTexture * noise)
+            {
+                Gather(image, view, factor, candidate, blue, green, red, true);
+                SubtractBackground();
+                Noise *= factor;
+                if (Noise > fullNoise)
+                {
+                    Gather(image, view, factor, candidate, blue, green, red, false);
+                    SubtractBackground();
+                }
+            }
+
+            FindPeak(factor, candidate);
+            if (candidate.IsAboveContent && Noise > MaxRestlessness * Peak)
+                KeepAboveContent(image, factor, candidate, noise);
+        }
+
+        private void Gather(Image image, in FrameView view, int factor, in Candidate candidate, float blue, float green, float red, bool isReduced)
+        {
+            PeakLevel = 0;
+            bool hasLuma = image.Format != PixelFormat.Bgra32 && !isReduced;
+            float total = Math.Max(blue, Math.Max(green, red));
+            fixed (uint* row = _row)
+            {
+                for (int y = 0; y < Height; y++)
+                {
+                    PixelRow.ToBgra(image, Top + y, Left, Left + Width, row);
+                    int reducedRow = (Top + y) / factor * view.Width;
+                    for (int x = 0; x < Width; x++)
+                    {
+                        uint pixel = row[x];
+                        int i = y * Width + x, reduced = reducedRow + (Left + x) / factor;
+                        PeakLevel = Math.Max(PeakLevel, FrameView.Level(pixel, DetectionPlane.Largest));
+                        Clipped[i] = IsClipped(pixel, blue, green, red, total);
+                        Light[i] = hasLuma ? PixelRow.Luma(image, Top + y, Left + x) : Weigh(isReduced ? view.Now[reduced] : pixel, blue, green, red);
+                        _past[i] = candidate.IsOnset ? Weigh(view.Before[reduced], blue, green, red) : view.Envelope(reduced, candidate.Plane);
+                    }
+                }
+            }
+        }
+
+        /// <summary>Where things move behind the dot nothing tells its background: what the projected picture cannot reach is light.</summary>
+        private void KeepAboveContent(Image image, int factor, in Candidate candidate, double noise)
+        {
+            fixed (uint* row = _row)
+            {
+                for (int y = 0; y < Height; y++)
+                {
+                    PixelRow.ToBgra(image, Top + y, Left, Left + Width, row);
+                    for (int x = 0; x < Width; x++)
+                        Light[y * Width + x] = Math.Max(0, FrameView.Level(row[x], candidate.Plane) - candidate.ContentLevel);
+                }
+            }
+
+            Noise = noise;
+            FindPeak(factor, candidate);
+        }
+
+        public bool IsInBorder(int x, int y) => x < Border || y < Border || x >= Width - Border || y >= Height - Border;
+
+        private static float Weigh(uint pixel, float blue, float green, float red) =>
+            blue * (pixel & 255) + green * (pixel >> 8 & 255) + red * (pixel >> 16 & 255);
+
+        private static bool IsClipped(uint pixel, float blue, float green, float red, float total) =>
+            (blue < total || (pixel & 255) >= ClippedLevel) && (green < total || (pixel >> 8 & 255) >= ClippedLevel) && (red < total || (pixel >> 16 & 255) >= ClippedLevel);
+
+        private void Place(Image image, int factor, in Candidate candidate)
+        {
+            int width = (candidate.Right - candidate.Left + 1) * factor, height = (candidate.Bottom - candidate.Top + 1) * factor;
+            int margin = 4 * factor + Math.Max(width, height) / 2;
+            int marginX = Math.Max(0, Math.Min(margin, (MaxSide - width) / 2)), marginY = Math.Max(0, Math.Min(margin, (MaxSide - height) / 2));
+            Left = Math.Max(0, candidate.Left * factor - marginX);
+            Top = Math.Max(0, candidate.Top * factor - marginY);
+            Width = Math.Min(MaxSide, Math.Min(image.Width, (candidate.Right + 1) * factor + marginX) - Left);
+            Height = Math.Min(MaxSide, Math.Min(image.Height, (candidate.Bottom + 1) * factor + marginY) - Top);
+        }
+
+        /// <summary>How far each channel rose in the candidate's box through the largest of them: the weights that serve noise best.</summary>
+        private void Channels(Image image, in FrameView view, int factor, in Candidate candidate, out float blue, out float green, out float red)
+        {
+            if (image.Format != PixelFormat.Bgra32)
+            {
+                blue = 0.114f;
+                green = 0.587f;
+                red = 0.299f;
+                return;
+            }
+
+            long sumBlue = 0, sumGreen = 0, sumRed = 0;
+            for (int y = candidate.Top; y <= candidate.Bottom; y++)
+            {
+                for (int x = candidate.Left; x <= candidate.Right; x++)
+                {
+                    int i = y * view.Width + x;
+                    uint now = view.Now[i];
+
+                    // Of a dot that goes on nobody knows the wall's colour: its own height counts.
+                    uint before = candidate.IsOnset ? view.Before[i] : 0;
+                    sumBlue += (int)(now & 255) - (int)(before & 255);
+                    sumGreen += (int)(now >> 8 & 255) - (int)(before >> 8 & 255);
+                    sumRed += (int)(now >> 16 & 255) - (int)(before >> 16 & 255);
+                }
+            }
+
+            float largest = Math.Max(1, Math.Max(sumBlue, Math.Max(sumGreen, sumRed)));
+            blue = Math.Max(0, sumBlue / largest);
+            green = Math.Max(0, sumGreen / largest);
+            red = Math.Max(0, sumRed / largest);
+        }
+
+        /// <summary>
+        /// Light = level − a − b · past, the line fitted over the border (least squares, then again without what lies three deviations
+        /// off). On an even wall b comes out near zero and the past's noise stays out; on a textured one near one.
+        /// </summary>
+        private void SubtractBackground()
+        {
+            double offset = 0, slope = 0, limit = double.PositiveInfinity;
+            for (int round = 0; round < 3; round++)
+            {
+                double n = 0, sumP = 0, sumL = 0, sumPP = 0, sumPL = 0, sumLL = 0;
+                for (int y = 0; y < Height; y++)
+                {
+                    for (int x = 0; x < Width; x++)
+                    {
+                        if (!IsInBorder(x, y))
+                            continue;
+                        double past = _past[y * Width + x], light = Light[y * Width + x];
+                        if (Math.Abs(light - offset - slope * past) > limit)
+                            continue;
+                        n++;
+                        sumP += past;
+                        sumL += light;
+                        sumPP += past * past;
+                        sumPL += past * light;
+                        sumLL += light * light;
+                    }
+                }
+
+                if (n < 8)
+                    break;
+                double varianceP = sumPP / n - sumP / n * sumP / n, covariance = sumPL / n - sumP / n * sumL / n;
+                slope = varianceP > 0.01 ? Math.Max(0, Math.Min(1.2, covariance / varianceP)) : 0;
+                offset = (sumL - slope * sumP) / n;
+                double variance = sumLL / n - sumL / n * sumL / n - 2 * slope * covariance + slope * slope * varianceP;
+
+                // A level's rounding is the least.
+                Noise = Math.Sqrt(Math.Max(1.0 / 12, variance));
+                limit = 3 * Noise;
+            }
+
+            for (int i = 0; i < Width * Height; i++)
+                Light[i] -= (float)(offset + slope * _past[i]);
+        }
+
+        private void FindPeak(int factor, in Candidate candidate)
+        {
+            float peak = 0;
+            for (int y = Math.Max(0, candidate.Top * factor - Top); y < Math.Min(Height, (candidate.Bottom + 1) * factor - Top); y++)
+            {
+                for (int x = Math.Max(0, candidate.Left * factor - Left); x < Math.Min(Width, (candidate.Right + 1) * factor - Left); x++)
+                    peak = Math.Max(peak, Light[y * Width + x]);
+            }
+
+            Peak = peak;
+        }
+    }
+}
