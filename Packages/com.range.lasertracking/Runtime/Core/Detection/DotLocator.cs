@@ -22,10 +22,13 @@ namespace LaserTracking.Detection
         /// <summary>Speckle of an ordinary laser as cameras encode it, and the number of pixels that this expectation is worth.</summary>
         private const double UsualSpeckle = 0.12, UsualSpeckleWeight = 4;
 
+        /// <summary>The window must promise this much less error: real dots are lopsided, and the centre of all their light is what others call the dot's place.</summary>
+        private const double MinGain = 0.7;
+
         private const int MaxSteps = 8;
 
         private readonly DotWindow _window = new DotWindow();
-        private double _sum, _x, _y, _xx, _xy, _yy;
+        private double _threshold, _sum, _x, _y, _xx, _xy, _yy;
 
         /// <summary>Fills position, covariance, peak, area and streak of the dot.</summary>
         public void Locate(Image image, in FrameView view, int factor, in Candidate candidate, double noise, ref Dot dot)
@@ -48,7 +51,7 @@ namespace LaserTracking.Detection
         /// <summary>Centroid and moments of the light above the soft threshold, in window pixels. Gives the area at half of the peak.</summary>
         private int SoftCentroid()
         {
-            double threshold = Math.Max(SoftThreshold * _window.Peak, Math.Min(0.5 * _window.Peak, 3 * _window.Noise));
+            _threshold = Math.Max(SoftThreshold * _window.Peak, Math.Min(0.5 * _window.Peak, 3 * _window.Noise));
             int area = 0;
             _sum = _x = _y = _xx = _xy = _yy = 0;
             for (int y = 0; y < _window.Height; y++)
@@ -58,7 +61,7 @@ namespace LaserTracking.Detection
                     double light = _window.Light[y * _window.Width + x];
                     if (2 * light >= _window.Peak)
                         area++;
-                    double weight = light - threshold;
+                    double weight = light - _threshold;
                     if (weight <= 0)
                         continue;
                     _sum += weight;
@@ -121,10 +124,33 @@ namespace LaserTracking.Detection
                     break;
             }
 
-            bool isSound = pass.IsSound && (x - _x) * (x - _x) + (y - _y) * (y - _y) <= reach * reach;
+            Covariance2D soft = SoftError(speckle);
+            bool isSound = pass.IsSound && pass.ErrorCovariance.Sigma < MinGain * soft.Sigma && (x - _x) * (x - _x) + (y - _y) * (y - _y) <= reach * reach;
             dot.PositionPx = isSound ? new Vector2D(_window.Left + x, _window.Top + y) : new Vector2D(_window.Left + _x, _window.Top + _y);
-            Covariance2D error = isSound ? pass.ErrorCovariance : new Covariance2D(0.1 * shape.XX, 0.1 * shape.XY, 0.1 * shape.YY);
+            Covariance2D error = isSound ? pass.ErrorCovariance : soft;
             dot.CovariancePx = new Covariance2D(FloorPx * FloorPx + error.XX, error.XY, FloorPx * FloorPx + error.YY);
+        }
+
+        /// <summary>The soft centroid's covariance: each pixel's noise times its distance from the centre, through the light.</summary>
+        private Covariance2D SoftError(double speckle)
+        {
+            double xx = 0, xy = 0, yy = 0, noise2 = _window.Noise * _window.Noise, scale = 1 / (_sum * _sum);
+            for (int y = 0; y < _window.Height; y++)
+            {
+                for (int x = 0; x < _window.Width; x++)
+                {
+                    int i = y * _window.Width + x;
+                    double light = _window.Light[i];
+                    if (light < _threshold)
+                        continue;
+                    double variance = scale * (_window.Clipped[i] ? 0 : noise2 + speckle * speckle * light * light);
+                    xx += variance * (x - _x) * (x - _x);
+                    xy += variance * (x - _x) * (y - _y);
+                    yy += variance * (y - _y) * (y - _y);
+                }
+            }
+
+            return new Covariance2D(xx, xy, yy);
         }
 
         /// <summary>Standard deviation of the light about a Gaussian of this shape, through the light: grains, and what is no Gaussian.</summary>

@@ -45,6 +45,9 @@ namespace LaserTracking.Detection
         /// <summary>Largest light inside the candidate's box.</summary>
         public double Peak { get; private set; }
 
+        /// <summary>Clipped pixels inside the candidate's box.</summary>
+        public int ClippedCount { get; private set; }
+
         /// <summary>Brightest channel value in the window, 0…255.</summary>
         public int PeakLevel { get; private set; }
 
@@ -215,10 +218,15 @@ namespace LaserTracking.Detection
         private void FindPeak(int factor, in Candidate candidate)
         {
             float peak = 0;
+            ClippedCount = 0;
             for (int y = Math.Max(0, candidate.Top * factor - Top); y < Math.Min(Height, (candidate.Bottom + 1) * factor - Top); y++)
             {
                 for (int x = Math.Max(0, candidate.Left * factor - Left); x < Math.Min(Width, (candidate.Right + 1) * factor - Left); x++)
+                {
                     peak = Math.Max(peak, Light[y * Width + x]);
+                    if (Clipped[y * Width + x])
+                        ClippedCount++;
+                }
             }
 
             Peak = peak;
