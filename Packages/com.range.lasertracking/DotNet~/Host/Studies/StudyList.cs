@@ -11,6 +11,7 @@ namespace LaserTracking.Host.Studies
         {
             new ClipStressStudy(),
             new PositionStudy(),
+            new EllipseStudy(),
         };
     }
 }

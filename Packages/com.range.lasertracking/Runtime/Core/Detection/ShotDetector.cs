@@ -61,6 +61,7 @@ namespace LaserTracking.Detection
             if (!image.IsPresent || !PixelRow.CanRead(image.Format))
                 return;
             detections.ImageWidthPx = image.Width;
+            detections.ImageHeightPx = image.Height;
             if (_planes.Fit(image, _settings.FullSizeMaxWidthPx))
                 Restart();
             
