@@ -12,6 +12,8 @@ namespace LaserTracking.Host.Studies
             new ClipStressStudy(),
             new PositionStudy(),
             new EllipseStudy(),
+            new TimingStudy(),
+            new ColorStudy(),
         };
     }
 }

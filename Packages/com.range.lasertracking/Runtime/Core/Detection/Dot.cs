@@ -8,6 +8,9 @@ namespace LaserTracking.Detection
         public Vector2D PositionPx;
         public Covariance2D CovariancePx;
 
+        /// <summary>Second moments of the light above a fifth of its peak, px²: the dot's shape.</summary>
+        public Covariance2D ShapePx;
+
         /// <summary>Brightest channel value in the dot, 0…255.</summary>
         public int Peak;
 

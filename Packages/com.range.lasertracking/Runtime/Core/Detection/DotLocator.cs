@@ -44,6 +44,7 @@ namespace LaserTracking.Detection
             }
 
             var shape = new Covariance2D(ShapeGain * _xx + 0.05, ShapeGain * _xy, ShapeGain * _yy + 0.05);
+            dot.ShapePx = new Covariance2D(_xx, _xy, _yy);
             Streak(ref dot);
             Refine(shape, ref dot);
         }

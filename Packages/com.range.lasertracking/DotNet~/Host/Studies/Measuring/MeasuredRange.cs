@@ -36,6 +36,11 @@ namespace LaserTracking.Host.Studies.Measuring
                 Camera(s, 640, 480, 30, 16670, PixelFormat.Bgra32, 0);
                 s.ColorCamera.Gain = 1.9;
             },
+            ["480p30 far over-exposed"] = s =>
+            {
+                Camera(s, 640, 480, 30, 16670, PixelFormat.Bgra32, 0);
+                s.ColorCamera.Gain = 3;
+            },
         };
 
         public static IEnumerable<string> Names => Variants.Keys;

@@ -16,6 +16,9 @@ namespace LaserTracking.Host.Studies.Measuring
         /// <summary>From where the light began to the reported place, px.</summary>
         public Vector2D ErrorPx => Seen.Dot.PositionPx - Fired.FirstLightPx;
 
+        /// <summary>Begin of the light after the reported time, µs.</summary>
+        public double LateUs => Fired.TimeUs - Seen.TimeUs;
+
         public bool IsStreak => Seen.Dot.StreakPx.LengthSquared > 0;
 
         public bool IsSaturated => Seen.Dot.Peak >= 252;
