@@ -10,8 +10,10 @@ namespace LaserTracking.Host.Studies
         public static IReadOnlyList<IStudy> All { get; } = new IStudy[]
         {
             new ClipStressStudy(),
+            new PastedDotsStudy(),
             new PositionStudy(),
             new EllipseStudy(),
+            new ConfidenceStudy(),
             new TimingStudy(),
             new ColorStudy(),
         };

@@ -38,7 +38,7 @@ namespace LaserTracking.Detection
             dot.AreaPx = SoftCentroid();
             if (_sum <= 0)
             {
-                dot.PositionPx = new Vector2D((candidate.CenterX + 0.5) * factor - 0.5, (candidate.CenterY + 0.5) * factor - 0.5);
+                dot.PositionPx = new Vector2D((candidate.CenterX + view.ShiftX + 0.5) * factor - 0.5, (candidate.CenterY + view.ShiftY + 0.5) * factor - 0.5);
                 dot.CovariancePx = Covariance2D.Isotropic(factor);
                 return;
             }

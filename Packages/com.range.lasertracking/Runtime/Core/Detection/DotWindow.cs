@@ -26,6 +26,8 @@ namespace LaserTracking.Detection
         private readonly uint[] _row = new uint[MaxSide];
         private readonly float[] _past = new float[MaxSide * MaxSide];
 
+        private int _boxLeft, _boxTop, _boxWidth, _boxHeight;
+
         public float[] Light { get; } = new float[MaxSide * MaxSide];
 
         /// <summary>The channel that counts most has no room left here.</summary>
@@ -54,8 +56,8 @@ namespace LaserTracking.Detection
         /// <summary>Cuts the window out and subtracts the background.</summary>
         public void Fill(Image image, in FrameView view, int factor, in Candidate candidate, double noise)
         {
-            Place(image, factor, candidate);
-            Channels(image, view, factor, candidate, out float blue, out float green, out float red);
+            Place(image, view, factor, candidate);
+            Channels(image, view, candidate, out float blue, out float green, out float red);
             Gather(image, view, factor, candidate, blue, green, red, false);
             SubtractBackground();
 
@@ -73,9 +75,9 @@ namespace LaserTracking.Detection
                 }
             }
 
-            FindPeak(factor, candidate);
+            FindPeak();
             if (candidate.IsAboveContent && Noise > MaxRestlessness * Peak)
-                KeepAboveContent(image, factor, candidate, noise);
+                KeepAboveContent(image, candidate, noise);
         }
 
         private void Gather(Image image, in FrameView view, int factor, in Candidate candidate, float blue, float green, float red, bool isReduced)
@@ -88,11 +90,11 @@ namespace LaserTracking.Detection
                 for (int y = 0; y < Height; y++)
                 {
                     PixelRow.ToBgra(image, Top + y, Left, Left + Width, row);
-                    int reducedRow = (Top + y) / factor * view.Width;
+                    int reducedRow = Math.Max(0, Math.Min(view.Height - 1, (Top + y) / factor - view.ShiftY)) * view.Width;
                     for (int x = 0; x < Width; x++)
                     {
                         uint pixel = row[x];
-                        int i = y * Width + x, reduced = reducedRow + (Left + x) / factor;
+                        int i = y * Width + x, reduced = reducedRow + Math.Max(0, Math.Min(view.Width - 1, (Left + x) / factor - view.ShiftX));
                         PeakLevel = Math.Max(PeakLevel, FrameView.Level(pixel, DetectionPlane.Largest));
                         Clipped[i] = IsClipped(pixel, blue, green, red, total);
                         Light[i] = hasLuma ? PixelRow.Luma(image, Top + y, Left + x) : Weigh(isReduced ? view.Now[reduced] : pixel, blue, green, red);
@@ -103,7 +105,7 @@ namespace LaserTracking.Detection
         }
 
         /// <summary>Where things move behind the dot nothing tells its background: what the projected picture cannot reach is light.</summary>
-        private void KeepAboveContent(Image image, int factor, in Candidate candidate, double noise)
+        private void KeepAboveContent(Image image, in Candidate candidate, double noise)
         {
             fixed (uint* row = _row)
             {
@@ -116,7 +118,7 @@ namespace LaserTracking.Detection
             }
 
             Noise = noise;
-            FindPeak(factor, candidate);
+            FindPeak();
         }
 
         public bool IsInBorder(int x, int y) => x < Border || y < Border || x >= Width - Border || y >= Height - Border;
@@ -127,19 +129,22 @@ namespace LaserTracking.Detection
         private static bool IsClipped(uint pixel, float blue, float green, float red, float total) =>
             (blue < total || (pixel & 255) >= ClippedLevel) && (green < total || (pixel >> 8 & 255) >= ClippedLevel) && (red < total || (pixel >> 16 & 255) >= ClippedLevel);
 
-        private void Place(Image image, int factor, in Candidate candidate)
+        private void Place(Image image, in FrameView view, int factor, in Candidate candidate)
         {
-            int width = (candidate.Right - candidate.Left + 1) * factor, height = (candidate.Bottom - candidate.Top + 1) * factor;
-            int margin = 4 * factor + Math.Max(width, height) / 2;
-            int marginX = Math.Max(0, Math.Min(margin, (MaxSide - width) / 2)), marginY = Math.Max(0, Math.Min(margin, (MaxSide - height) / 2));
-            Left = Math.Max(0, candidate.Left * factor - marginX);
-            Top = Math.Max(0, candidate.Top * factor - marginY);
-            Width = Math.Min(MaxSide, Math.Min(image.Width, (candidate.Right + 1) * factor + marginX) - Left);
-            Height = Math.Min(MaxSide, Math.Min(image.Height, (candidate.Bottom + 1) * factor + marginY) - Top);
+            _boxLeft = (candidate.Left + view.ShiftX) * factor;
+            _boxTop = (candidate.Top + view.ShiftY) * factor;
+            _boxWidth = (candidate.Right - candidate.Left + 1) * factor;
+            _boxHeight = (candidate.Bottom - candidate.Top + 1) * factor;
+            int margin = 4 * factor + Math.Max(_boxWidth, _boxHeight) / 2;
+            int marginX = Math.Max(0, Math.Min(margin, (MaxSide - _boxWidth) / 2)), marginY = Math.Max(0, Math.Min(margin, (MaxSide - _boxHeight) / 2));
+            Left = Math.Max(0, Math.Min(image.Width - 1, _boxLeft - marginX));
+            Top = Math.Max(0, Math.Min(image.Height - 1, _boxTop - marginY));
+            Width = Math.Min(MaxSide, Math.Max(Left + 1, Math.Min(image.Width, _boxLeft + _boxWidth + marginX)) - Left);
+            Height = Math.Min(MaxSide, Math.Max(Top + 1, Math.Min(image.Height, _boxTop + _boxHeight + marginY)) - Top);
         }
 
         /// <summary>How far each channel rose in the candidate's box through the largest of them: the weights that serve noise best.</summary>
-        private void Channels(Image image, in FrameView view, int factor, in Candidate candidate, out float blue, out float green, out float red)
+        private void Channels(Image image, in FrameView view, in Candidate candidate, out float blue, out float green, out float red)
         {
             if (image.Format != PixelFormat.Bgra32)
             {
@@ -215,13 +220,13 @@ namespace LaserTracking.Detection
                 Light[i] -= (float)(offset + slope * _past[i]);
         }
 
-        private void FindPeak(int factor, in Candidate candidate)
+        private void FindPeak()
         {
             float peak = 0;
             ClippedCount = 0;
-            for (int y = Math.Max(0, candidate.Top * factor - Top); y < Math.Min(Height, (candidate.Bottom + 1) * factor - Top); y++)
+            for (int y = Math.Max(0, _boxTop - Top); y < Math.Min(Height, _boxTop + _boxHeight - Top); y++)
             {
-                for (int x = Math.Max(0, candidate.Left * factor - Left); x < Math.Min(Width, (candidate.Right + 1) * factor - Left); x++)
+                for (int x = Math.Max(0, _boxLeft - Left); x < Math.Min(Width, _boxLeft + _boxWidth - Left); x++)
                 {
                     peak = Math.Max(peak, Light[y * Width + x]);
                     if (Clipped[y * Width + x])

@@ -42,7 +42,7 @@ namespace LaserTracking.Host.Studies.Measuring
                                 shooter.Laser.PowerMw *= 20;
                         }
 
-                        shots.AddRange(ShotCollector.Collect(scenario, true, interrupted));
+                        ShotCollector.Collect(scenario, shots, null, interrupted);
                     }
 
                     AddRow(table, range + ", " + color.ToString().ToLowerInvariant(), shots);

@@ -29,7 +29,8 @@ namespace LaserTracking.Host.Studies.Measuring
         {
             var table = new StudyTable("Simulated shots: the place where the light began against the reported ellipse",
                 "class", "in 50 %", "in 90 %", "in 95 %", "median error px", "p95 px", "median sigma px");
-            List<MeasuredShot> told = Collect(options, true, interrupted), untold = Collect(options, false, interrupted);
+            List<MeasuredShot> told = new(), untold = new();
+            Collect(options, told, untold, interrupted);
             foreach ((string name, Func<MeasuredShot, bool> holds) in Classes)
                 AddRow(table, name, told.Where(holds).ToArray());
             foreach (string range in told.Select(s => s.Range).Distinct())
@@ -39,19 +40,16 @@ namespace LaserTracking.Host.Studies.Measuring
             return table;
         }
 
-        private static List<MeasuredShot> Collect(StudyOptions options, bool isTimingKnown, CancellationToken interrupted)
+        private static void Collect(StudyOptions options, List<MeasuredShot> told, List<MeasuredShot> untold, CancellationToken interrupted)
         {
-            var shots = new List<MeasuredShot>();
             foreach (string name in MeasuredRange.Names.Where(options.Includes))
             {
                 for (int seed = options.FirstSeed; seed <= options.LastSeed && !interrupted.IsCancellationRequested; seed++)
                 {
                     options.Progress.Show(name + ", seed " + seed);
-                    shots.AddRange(ShotCollector.Collect(MeasuredRange.Create(name, seed), isTimingKnown, interrupted));
+                    ShotCollector.Collect(MeasuredRange.Create(name, seed), told, untold, interrupted);
                 }
             }
-
-            return shots;
         }
 
         private static void AddRow(StudyTable table, string name, MeasuredShot[] shots)

@@ -14,39 +14,40 @@ namespace LaserTracking.Host.Studies.Measuring
         private const double MatchPx = 12;
 
         /// <param name="scenario">What is fired; three shooters on the default scene.</param>
-        /// <param name="isTimingKnown">The tracker is told shutter and row time.</param>
+        /// <param name="told">Shots of a tracker that is told shutter and row time are added here.</param>
+        /// <param name="untold">Shots of a tracker that is not; null: none runs.</param>
         /// <param name="interrupted">Ends the run early.</param>
-        public static List<MeasuredShot> Collect(SimulationScenario scenario, bool isTimingKnown, CancellationToken interrupted)
+        public static void Collect(SimulationScenario scenario, List<MeasuredShot> told, List<MeasuredShot>? untold, CancellationToken interrupted)
         {
             var range = new SimulatedRange(scenario, SimulationScenes.Default());
             var detector = new ShotDetector();
             detector.SetScreenPolygon(range.Calibration.Screen.CornersPx);
             var settings = new ShotTrackerSettings();
-            if (isTimingKnown)
-            {
-                settings.Timing.ExposureUs = scenario.ColorCamera.ExposureUs;
-                settings.Timing.RowUs = scenario.ColorCamera.RollingShutterRowUs;
-            }
-
-            var tracker = new ShotTracker(settings);
+            settings.Timing.ExposureUs = scenario.ColorCamera.ExposureUs;
+            settings.Timing.RowUs = scenario.ColorCamera.RollingShutterRowUs;
+            ShotTracker knowing = new(settings), unknowing = new();
+            HashSet<int> takenByKnowing = new(), takenByUnknowing = new();
             var detections = new Detections();
-            var shots = new List<MeasuredShot>();
-            var taken = new HashSet<int>();
             using IFrameSource source = range.CreateColorSource();
             using var frame = new Frame();
             while (!interrupted.IsCancellationRequested && source.TryRead(frame))
             {
                 detections.Begin(frame.Index, frame.TimeUs);
                 detector.Process(frame, detections);
-                tracker.Process(detections);
-                foreach (Shot shot in tracker.Shots)
-                {
-                    if (Find(range.Truth, shot, scenario, taken) is { } match)
-                        shots.Add(match);
-                }
+                Track(knowing, detections, range.Truth, scenario, takenByKnowing, told);
+                if (untold != null)
+                    Track(unknowing, detections, range.Truth, scenario, takenByUnknowing, untold);
             }
+        }
 
-            return shots;
+        private static void Track(ShotTracker tracker, Detections detections, SimulationTruth truth, SimulationScenario scenario, HashSet<int> taken, List<MeasuredShot> shots)
+        {
+            tracker.Process(detections);
+            foreach (Shot shot in tracker.Shots)
+            {
+                if (Find(truth, shot, scenario, taken) is { } match)
+                    shots.Add(match);
+            }
         }
 
         /// <summary>The nearest pulse not yet taken whose light the shot's first frame shows within reach.</summary>

@@ -16,25 +16,21 @@ namespace LaserTracking.Host.Studies.Measuring
         {
             var table = new StudyTable("Simulated shots: begin of the light minus reported time (mid-exposure of the dot's row in its first frame)",
                 "range", "shots", "mean ms", "rms ms", "rms / reported", "within 1 sigma", "within 2 sigma");
-            foreach (bool isTold in new[] { true, false })
+            List<MeasuredShot> told = new(), untold = new();
+            foreach (string name in MeasuredRange.Names.Where(options.Includes))
             {
-                var all = new List<MeasuredShot>();
-                foreach (string name in MeasuredRange.Names.Where(options.Includes))
+                for (int seed = options.FirstSeed; seed <= options.LastSeed && !interrupted.IsCancellationRequested; seed++)
                 {
-                    var shots = new List<MeasuredShot>();
-                    for (int seed = options.FirstSeed; seed <= options.LastSeed && !interrupted.IsCancellationRequested; seed++)
-                    {
-                        options.Progress.Show(name + ", seed " + seed);
-                        shots.AddRange(ShotCollector.Collect(MeasuredRange.Create(name, seed), isTold, interrupted));
-                    }
-
-                    AddRow(table, name + (isTold ? "" : ", shutter not told"), shots);
-                    all.AddRange(shots);
+                    options.Progress.Show(name + ", seed " + seed);
+                    ShotCollector.Collect(MeasuredRange.Create(name, seed), told, untold, interrupted);
                 }
 
-                AddRow(table, isTold ? "all" : "all, shutter not told", all);
+                AddRow(table, name, told.Where(s => s.Range == name).ToList());
+                AddRow(table, name + ", shutter not told", untold.Where(s => s.Range == name).ToList());
             }
 
+            AddRow(table, "all", told);
+            AddRow(table, "all, shutter not told", untold);
             table.Notes.Add("The begin is spread evenly over a frame interval: 58 % lie within one deviation of an even spread, all within two.");
             return table;
         }
