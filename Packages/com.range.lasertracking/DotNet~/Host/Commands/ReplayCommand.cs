@@ -10,6 +10,7 @@ using LaserTracking.Host.Sessions;
 using LaserTracking.Host.Sources;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
+using LaserTracking.Tracking;
 
 namespace LaserTracking.Host.Commands
 {
@@ -28,7 +29,9 @@ namespace LaserTracking.Host.Commands
             var dots = new Option<string?>("--dots") { HelpName = "FILE", Description = "Writes every tracked dot in every frame there." };
             var report = new Option<string?>("--report") { HelpName = "DIR", Description = "Writes report.html into this folder." };
             var paced = new Option<bool>("--paced") { Description = "Runs at the recording's own speed." };
-            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, detector, events, dots, report, paced };
+            var exposure = new Option<double>("--exposure-us") { HelpName = "US", Description = "The camera's shutter, microseconds: narrows the uncertainty of time and place." };
+            var row = new Option<double>("--row-us") { HelpName = "US", Description = "Rolling shutter: delay from one row to the next, microseconds." };
+            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, detector, events, dots, report, paced, exposure, row };
             command.SetAction((parsed, interrupted) =>
             {
                 RangeSession.CreateDetector(parsed.GetValue(detector)!);
@@ -57,12 +60,28 @@ namespace LaserTracking.Host.Commands
                     Scene = model,
                     Detector = parsed.GetValue(detector)!,
                     Inputs = inputs,
+                    CameraTiming = Timing(parsed.GetValue(exposure), parsed.GetValue(row)),
                     IsPaced = parsed.GetValue(paced),
                 };
                 var outputs = new SessionOutputs(parsed.GetValue(events), parsed.GetValue(dots), parsed.GetValue(report));
                 return Task.FromResult(outputs.Run(plan, "Replay of " + name, interrupted));
             });
             return command;
+        }
+
+        private static CameraTimingSettings Timing(double exposureUs, double rowUs)
+        {
+            var timing = new CameraTimingSettings { ExposureUs = exposureUs, RowUs = rowUs };
+            try
+            {
+                timing.Validate();
+            }
+            catch (ArgumentException problem)
+            {
+                throw new InputException("--exposure-us, --row-us", problem.Message, "give the camera's values in microseconds, or leave them out");
+            }
+
+            return timing;
         }
     }
 }

@@ -33,7 +33,7 @@ namespace LaserTracking.Host.Sessions
                 plan.HandCamera != null,
                 plan.Scene == null ? null : new ShotScorer(plan.Scene),
                 sink,
-                new PipelineSettings { SceneTimeZeroUs = plan.SceneTimeZeroUs });
+                new PipelineSettings { SceneTimeZeroUs = plan.SceneTimeZeroUs, CameraTiming = plan.CameraTiming });
             pipeline.Begin(new SessionHeader(Version, plan.Inputs, plan.CalibrationName, plan.Detector, plan.Seed));
             ReportOtherSizes(pipeline, plan);
 

@@ -4,6 +4,7 @@ using LaserTracking.Capture;
 using LaserTracking.Geometry;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
+using LaserTracking.Tracking;
 
 namespace LaserTracking.Host.Sessions
 {
@@ -32,6 +33,9 @@ namespace LaserTracking.Host.Sessions
         public long? SceneTimeZeroUs { get; init; }
 
         public long HandClockOffsetUs { get; init; }
+
+        /// <summary>Shutter and rolling shutter of the screen camera.</summary>
+        public CameraTimingSettings CameraTiming { get; init; } = new();
 
         /// <summary>Wait so that frames come at their own times.</summary>
         public bool IsPaced { get; init; }

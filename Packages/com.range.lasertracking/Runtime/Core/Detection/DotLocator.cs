@@ -45,7 +45,9 @@ namespace LaserTracking.Detection
 
             var shape = new Covariance2D(ShapeGain * _xx + 0.05, ShapeGain * _xy, ShapeGain * _yy + 0.05);
             dot.ShapePx = new Covariance2D(_xx, _xy, _yy);
-            Streak(ref dot);
+            Vector2D streak = DotStreak.From(dot.ShapePx, out bool isDistinct);
+            if (isDistinct)
+                dot.StreakPx = streak;
             Refine(shape, ref dot);
         }
 
@@ -84,21 +86,8 @@ namespace LaserTracking.Detection
             return area;
         }
 
-        private void Streak(ref Dot dot)
-        {
-            double mean = (_xx + _yy) / 2, spread = Math.Sqrt((_xx - _yy) * (_xx - _yy) / 4 + _xy * _xy);
-            double shortVariance = Math.Max(0, mean - spread), longVariance = mean + spread;
-            if (longVariance <= 4 * shortVariance || longVariance - shortVariance <= 2)
-                return;
-
-            // A moving dot smears over a line of uniform light: length² / 12 is what it adds to the variance.
-            double length = Math.Sqrt(12 * (longVariance - shortVariance));
-            double angle = 0.5 * Math.Atan2(2 * _xy, _xx - _yy);
-            dot.StreakPx = new Vector2D(length * Math.Cos(angle), length * Math.Sin(angle));
-        }
-
         /// <summary>
-        /// Iterates x ← x + (1 − V W⁻¹)⁻¹ (windowed centroid − x), V being the windowed light's covariance: Newton's step for any
+        /// Iterates x ← x + (1 − V W⁻¹)⁻¹ (windowed centroid − x), V being the light's covariance under the window's slope: Newton's step for any
         /// symmetric profile. For a Gaussian and W equal to its shape this reaches the bound (SExtractor's windowed positions).
         /// </summary>
         private void Refine(in Covariance2D shape, ref Dot dot)
@@ -170,7 +159,7 @@ namespace LaserTracking.Detection
                         double dx = x - _x, dy = y - _y, distance = a * dx * dx + b * dx * dy + c * dy * dy;
                         if (distance > 3 || _window.Clipped[y * _window.Width + x])
                             continue;
-                        double model = Math.Exp(-0.5 * distance), light = _window.Light[y * _window.Width + x];
+                        double near = 1 - distance / 9, model = near * near * near * near, light = _window.Light[y * _window.Width + x];
                         if (pass == 0)
                         {
                             sumModel += model * model;

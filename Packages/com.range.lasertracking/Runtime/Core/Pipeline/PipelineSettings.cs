@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Tracking;
 
 namespace LaserTracking.Pipeline
 {
@@ -16,9 +17,13 @@ namespace LaserTracking.Pipeline
         /// <summary>A gap of more than this many usual frame intervals is reported; above 1.</summary>
         public double FrameGapFactor { get; set; } = 2.5;
 
+        /// <summary>Shutter and rolling shutter of camera 0, for the tracker of the usual pipeline.</summary>
+        public CameraTimingSettings CameraTiming { get; set; } = new CameraTimingSettings();
+
         /// <exception cref="ArgumentException">A value is outside its range.</exception>
         public void Validate()
         {
+            CameraTiming.Validate();
             if (!(BlindShareLimit >= 0 && BlindShareLimit <= 1))
                 throw new ArgumentException("BlindShareLimit must lie in 0…1");
             if (!(FrameGapFactor > 1) || double.IsInfinity(FrameGapFactor))

@@ -15,6 +15,10 @@ namespace LaserTracking.Tracking
         public const int MaxShotsPerFrame = MaxTracks;
 
         private const int MaxTracks = 64;
+
+        /// <summary>What a second sight or a sharp end says for a laser, log-odds: false dots hardly ever manage either.</summary>
+        private const double ProofLogOdds = 3;
+
         private readonly ShotTrackerSettings _settings;
         private readonly LightOrigin _origin;
         private readonly DotTrack[] _tracks = new DotTrack[MaxTracks];
@@ -280,6 +284,12 @@ namespace LaserTracking.Tracking
             if (_shotCount == MaxTracks)
                 return;
             Dot dot = track.First;
+            if (frameIndex > track.FirstFrame && !dot.IsConclusive)
+            {
+                dot.Factors = ConfidenceModel.Raise(dot.Factors, ProofLogOdds);
+                dot.Confidence = dot.Factors.Sum;
+            }
+
             _origin.Place(ref dot, track.LastPx - dot.PositionPx, track.FirstIntervalUs, _scale);
             _shots[_shotCount++] = new Shot
             {

@@ -28,10 +28,10 @@ namespace LaserTracking.Tracking
         public double VanishRadiusPx { get; set; } = 5;
 
         /// <summary>
-        /// How fast the dot of an aimed weapon moves without leaving a streak, px at 640 per second, root mean square along each axis,
+        /// How fast the dot of an aimed weapon moves without its shape showing it, px at 640 per second, root mean square along each axis,
         /// 0…10000: tremor, sway, a target followed. Widens the place of the light's begin.
         /// </summary>
-        public double HandSpeedPxPerS { get; set; } = 25;
+        public double HandSpeedPxPerS { get; set; } = 12.5;
 
         /// <summary>Shutter and rolling shutter of the camera.</summary>
         public CameraTimingSettings Timing { get; set; } = new CameraTimingSettings();

@@ -27,30 +27,26 @@ namespace LaserTracking.Host.Studies.Measuring
         public StudyTable Run(StudyOptions options, CancellationToken interrupted)
         {
             var table = new StudyTable("First sight of dots, by the confidence they were given", "dots", "confidence", "lasers", "mean confidence");
-            foreach (bool isWide in new[] { false, true })
+            List<JudgedDot> simulated = new(), simulatedWide = new(), recorded = new(), recordedWide = new();
+            foreach (string name in MeasuredRange.Names.Where(options.Includes))
             {
-                string limits = isWide ? ", wide limits" : "";
-                var simulated = new List<JudgedDot>();
-                foreach (string name in MeasuredRange.Names.Where(options.Includes))
+                for (int seed = options.FirstSeed; seed <= options.LastSeed && !interrupted.IsCancellationRequested; seed++)
                 {
-                    for (int seed = options.FirstSeed; seed <= options.LastSeed && !interrupted.IsCancellationRequested; seed++)
-                    {
-                        options.Progress.Show(name + limits + ", seed " + seed);
-                        Simulate(MeasuredRange.Create(name, seed), isWide, simulated, interrupted);
-                    }
+                    options.Progress.Show(name + ", seed " + seed);
+                    Simulate(MeasuredRange.Create(name, seed), simulated, simulatedWide, interrupted);
                 }
-
-                AddRows(table, "simulated" + limits, simulated);
-                var recorded = new List<JudgedDot>();
-                foreach (TruthClip clip in Clips(out string folder).Where(c => options.Includes(c.File)))
-                {
-                    options.Progress.Show(clip.File + limits);
-                    Replay(Path.Combine(folder, clip.File), clip, isWide, recorded, interrupted);
-                }
-
-                AddRows(table, "clips" + limits, recorded);
             }
 
+            foreach (TruthClip clip in Clips(out string folder).Where(c => options.Includes(c.File)))
+            {
+                options.Progress.Show(clip.File);
+                Replay(Path.Combine(folder, clip.File), clip, recorded, recordedWide, interrupted);
+            }
+
+            AddRows(table, "simulated", simulated);
+            AddRows(table, "simulated, wide limits", simulatedWide);
+            AddRows(table, "clips", recorded);
+            AddRows(table, "clips, wide limits", recordedWide);
             return table;
         }
 
@@ -62,12 +58,12 @@ namespace LaserTracking.Host.Studies.Measuring
             return File.Exists(truth) ? TruthFile.Read(truth) : Array.Empty<TruthClip>();
         }
 
-        private static void Simulate(SimulationScenario scenario, bool isWide, List<JudgedDot> dots, CancellationToken interrupted)
+        private static void Simulate(SimulationScenario scenario, List<JudgedDot> dots, List<JudgedDot> wide, CancellationToken interrupted)
         {
             var range = new SimulatedRange(scenario, SimulationScenes.Default());
             using IFrameSource source = range.CreateColorSource();
             double reach = ReachPx * scenario.ColorCamera.Width / 640;
-            Judge(source, isWide, dots, interrupted, (frame, at) =>
+            Judge(source, dots, wide, interrupted, (frame, at) =>
             {
                 foreach (TrueDot dot in range.Truth.DotsOf(frame))
                 {
@@ -79,28 +75,34 @@ namespace LaserTracking.Host.Studies.Measuring
             });
         }
 
-        private static void Replay(string path, TruthClip clip, bool isWide, List<JudgedDot> dots, CancellationToken interrupted)
+        private static void Replay(string path, TruthClip clip, List<JudgedDot> dots, List<JudgedDot> wide, CancellationToken interrupted)
         {
             double reach = ReachPx * clip.Width / 640;
             using IFrameSource source = FrameSources.OpenScreenCamera(path);
-            Judge(source, isWide, dots, interrupted, (frame, at) => clip.Shots.Any(s =>
+            Judge(source, dots, wide, interrupted, (frame, at) => clip.Shots.Any(s =>
                 frame >= s.FirstVisibleFrame && frame <= s.LastVisibleFrame && s.PlacesPx.Any(p => (p - at).Length <= reach)));
         }
 
-        private static void Judge(IFrameSource source, bool isWide, List<JudgedDot> dots, CancellationToken interrupted, Func<int, Geometry.Vector2D, bool> isLaser)
+        private static void Judge(IFrameSource source, List<JudgedDot> dots, List<JudgedDot> wide, CancellationToken interrupted, Func<int, Geometry.Vector2D, bool> isLaser)
         {
-            var detector = new ShotDetector(isWide ? WideLimits() : null);
+            ShotDetector usual = new(), generous = new(WideLimits());
             var detections = new Detections();
             using var frame = new Frame();
             while (!interrupted.IsCancellationRequested && source.TryRead(frame))
             {
-                detections.Begin(frame.Index, frame.TimeUs);
-                detector.Process(frame, detections);
-                foreach (Dot dot in detections.Dots)
-                {
-                    if (dot.IsOnset)
-                        dots.Add(new JudgedDot(dot.Confidence, isLaser(frame.Index, dot.PositionPx), dot.Debug));
-                }
+                Judge(usual, frame, detections, dots, isLaser);
+                Judge(generous, frame, detections, wide, isLaser);
+            }
+        }
+
+        private static void Judge(ShotDetector detector, Frame frame, Detections detections, List<JudgedDot> dots, Func<int, Geometry.Vector2D, bool> isLaser)
+        {
+            detections.Begin(frame.Index, frame.TimeUs);
+            detector.Process(frame, detections);
+            foreach (Dot dot in detections.Dots)
+            {
+                if (dot.IsOnset)
+                    dots.Add(new JudgedDot(dot.Confidence, isLaser(frame.Index, dot.PositionPx)));
             }
         }
 
@@ -128,8 +130,6 @@ namespace LaserTracking.Host.Studies.Measuring
 
         private static void AddRows(StudyTable table, string name, List<JudgedDot> dots)
         {
-            if (Environment.GetEnvironmentVariable("DBG") is { } f)
-                File.AppendAllLines(f, dots.Select(d => name.Replace(' ', '_') + " " + (d.IsLaser ? 1 : 0) + " " + d.Debug));
             if (dots.Count == 0)
                 return;
             double error = 0;

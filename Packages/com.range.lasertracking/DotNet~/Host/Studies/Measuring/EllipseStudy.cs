@@ -56,8 +56,6 @@ namespace LaserTracking.Host.Studies.Measuring
         {
             if (shots.Length == 0)
                 return;
-            if (name == "all" && Environment.GetEnvironmentVariable("DBG") is { } f)
-                System.IO.File.WriteAllLines(f, shots.Select(s => FormattableString.Invariant($"{s.Range.Replace(' ', '_')} {s.Seen.Dot.ShapePx.XX} {s.Seen.Dot.ShapePx.XY} {s.Seen.Dot.ShapePx.YY} {s.Seen.Dot.Peak} {s.Seen.Dot.AreaPx} {s.Seen.Dot.StreakPx.X} {s.Seen.Dot.StreakPx.Y} {s.Light.StreakPx.X} {s.Light.StreakPx.Y} {s.Light.LightUs} {s.OpenUs} {s.ErrorPx.X} {s.ErrorPx.Y} {s.Light.PositionPx.X - s.Seen.Dot.PositionPx.X} {s.Light.PositionPx.Y - s.Seen.Dot.PositionPx.Y} {s.Seen.FrameIndex - s.Seen.FirstFrameIndex} {s.Seen.Dot.Confidence} {s.Light.Peak} {s.Fired.PulseUs} {s.Seen.TimeUs - s.Fired.TimeUs} {s.Seen.TimeSigmaUs}")));
             Proportion Inside(double share) => new(shots.Count(s => Ellipses.Holds(s.Seen.Dot.CovariancePx, s.ErrorPx, share)), shots.Length);
             double[] errors = shots.Select(s => s.ErrorPx.Length).OrderBy(e => e).ToArray();
             double[] sigmas = shots.Select(s => s.Seen.Dot.CovariancePx.Sigma).OrderBy(e => e).ToArray();
