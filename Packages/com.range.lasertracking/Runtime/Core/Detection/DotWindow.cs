@@ -17,7 +17,7 @@ namespace LaserTracking.Detection
         /// <summary>A pixel counts as clipped from this channel value on: no noise and no speckle shows in it.</summary>
         private const int ClippedLevel = 252;
 
-        /// <summary>Noise through peak at the border, above which the background counts as moving.</summary>
+        /// <summary>Deviation of the whole border through the peak, above which the background counts as moving.</summary>
         private const double MaxRestlessness = 0.1;
 
         /// <summary>Noise through the frame's temporal noise, above which the past does not explain the border.</summary>
@@ -26,6 +26,7 @@ namespace LaserTracking.Detection
         private readonly uint[] _row = new uint[MaxSide];
         private readonly float[] _past = new float[MaxSide * MaxSide];
 
+        private double _restlessness;
         private int _boxLeft, _boxTop, _boxWidth, _boxHeight;
 
         public float[] Light { get; } = new float[MaxSide * MaxSide];
@@ -76,7 +77,7 @@ namespace LaserTracking.Detection
             }
 
             FindPeak();
-            if (candidate.IsAboveContent && Noise > MaxRestlessness * Peak)
+            if (candidate.IsAboveContent && _restlessness > MaxRestlessness * Peak)
                 KeepAboveContent(image, candidate, noise);
         }
 
@@ -216,8 +217,18 @@ namespace LaserTracking.Detection
                 limit = 3 * Noise;
             }
 
+            double sum = 0;
+            int count = 0;
             for (int i = 0; i < Width * Height; i++)
+            {
                 Light[i] -= (float)(offset + slope * _past[i]);
+                if (!IsInBorder(i % Width, i / Width))
+                    continue;
+                sum += Light[i] * Light[i];
+                count++;
+            }
+
+            _restlessness = Math.Sqrt(sum / Math.Max(1, count));
         }
 
         private void FindPeak()

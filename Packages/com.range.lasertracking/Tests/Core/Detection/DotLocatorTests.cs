@@ -31,9 +31,9 @@ namespace LaserTracking.Detection
         [Test]
         public void Locate_NoisierPicture_HasTheLargerCovariance()
         {
-            Dot quiet = Locate(PixelFormat.Bgra32, 100.4, 80.2, 0.06, (b, x, y) => b.Wall(25, 25, 25), 1);
-            Dot noisy = Locate(PixelFormat.Bgra32, 100.4, 80.2, 0.06, (b, x, y) => b.Wall(25, 25, 25), 2.5);
-            Assert.That(noisy.CovariancePx.Sigma, Is.GreaterThan(1.2 * quiet.CovariancePx.Sigma));
+            Dot quiet = Locate(PixelFormat.Bgra32, 100.4, 80.2, 0.08, (b, x, y) => b.Wall(25, 25, 25), 1);
+            Dot noisy = Locate(PixelFormat.Bgra32, 100.4, 80.2, 0.08, (b, x, y) => b.Wall(25, 25, 25), 4);
+            Assert.That(noisy.CovariancePx.Sigma, Is.GreaterThan(1.1 * quiet.CovariancePx.Sigma));
             Assert.That(quiet.CovariancePx.Sigma, Is.InRange(0.02, 0.2));
         }
 
