@@ -35,6 +35,7 @@ namespace LaserTracking.Host.Commands
             command.SetAction((parsed, interrupted) =>
             {
                 RangeSession.CreateDetector(parsed.GetValue(detector)!);
+                CameraTimingSettings timing = Timing(parsed.GetValue(exposure), parsed.GetValue(row));
                 string name = parsed.GetValue(input)!;
                 string? handName = parsed.GetValue(hand), calibrationName = parsed.GetValue(calibration), sceneName = parsed.GetValue(scene);
                 foreach (string? result in new[] { parsed.GetValue(events), parsed.GetValue(dots) })
@@ -60,7 +61,7 @@ namespace LaserTracking.Host.Commands
                     Scene = model,
                     Detector = parsed.GetValue(detector)!,
                     Inputs = inputs,
-                    CameraTiming = Timing(parsed.GetValue(exposure), parsed.GetValue(row)),
+                    CameraTiming = timing,
                     IsPaced = parsed.GetValue(paced),
                 };
                 var outputs = new SessionOutputs(parsed.GetValue(events), parsed.GetValue(dots), parsed.GetValue(report));

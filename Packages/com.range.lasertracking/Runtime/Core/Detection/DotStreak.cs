@@ -10,7 +10,7 @@ namespace LaserTracking.Detection
         private const double MinLengthPx = 3;
 
         /// <summary>… and when the shape's long variance exceeds the short one by this factor: some lasers are oval.</summary>
-        private const double MinRatio = 2;
+        private const double MinRatio = 3;
 
         /// <summary>
         /// From end to end, px. A line of even light adds length² / 12 to the variance along it. Two short variances of length² are
