@@ -19,12 +19,12 @@ namespace LaserTracking.Detection
 
         public LaserColor Color;
 
-        /// <summary>How sure the detector is that this is a laser, 0…1: the sum of the factors, not yet calibrated as a probability.</summary>
+        /// <summary>Probability that this is a laser, 0…1: the sum of the factors. The published detector's is its own score.</summary>
         public double Confidence;
 
         public ConfidenceFactors Factors;
 
-        /// <summary>From the end where the light began to where it ended within this frame; zero for a round dot.</summary>
+        /// <summary>From one end to the other of the light in this frame; zero for a round dot. Of a shot that a later frame told more of: from where it began.</summary>
         public Vector2D StreakPx;
 
         /// <summary>

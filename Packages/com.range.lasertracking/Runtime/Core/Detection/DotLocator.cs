@@ -6,8 +6,8 @@ namespace LaserTracking.Detection
 {
     /// <summary>
     /// Measures a dot on the full-resolution frame. A centroid with a soft threshold of a fifth of the peak gives place and shape;
-    /// a centroid under a Gaussian window of that shape, iterated to its fixed point, refines it. The window's width follows from
-    /// noise and speckle; the covariance from passing every pixel's noise through the estimate. Saturation only flattens the profile.
+    /// where noise or speckle would hurt it, a centroid under a window of that shape, iterated to its fixed point, replaces it. The
+    /// window's width follows from noise and speckle, the covariance from passing every pixel's noise through the estimate.
     /// </summary>
     internal sealed class DotLocator
     {

@@ -23,10 +23,15 @@ namespace LaserTracking.Detection
         /// <summary>Noise through the frame's temporal noise, above which the past does not explain the border.</summary>
         private const double MaxTexture = 3;
 
+        /// <summary>The same through the dot's peak.</summary>
+        private const double MaxTextureShare = 0.05;
+
         private readonly uint[] _row = new uint[MaxSide];
         private readonly float[] _past = new float[MaxSide * MaxSide];
 
         private double _restlessness;
+        private uint _usualPast;
+        private float _usualEnvelope;
         private int _boxLeft, _boxTop, _boxWidth, _boxHeight;
 
         public float[] Light { get; } = new float[MaxSide * MaxSide];
@@ -59,12 +64,15 @@ namespace LaserTracking.Detection
         {
             Place(image, view, factor, candidate);
             Channels(image, view, candidate, out float blue, out float green, out float red);
+            MeetUsualPast(view, factor, candidate.Plane);
             Gather(image, view, factor, candidate, blue, green, red, false);
             SubtractBackground();
 
-            // The past is known at half size only: fine texture shows in the difference unless both are compared at that size.
+            // The past is known at half size only: fine texture shows in the difference unless both are compared at that size. That costs
+            // sharpness, so only for dots that are not far above it.
             double fullNoise = Noise;
-            if (factor > 1 && fullNoise > MaxTexture * noise)
+            FindPeak();
+            if (factor > 1 && fullNoise > MaxTexture * noise && fullNoise > MaxTextureShare * Peak)
             {
                 Gather(image, view, factor, candidate, blue, green, red, true);
                 SubtractBackground();
@@ -99,7 +107,10 @@ namespace LaserTracking.Detection
                         PeakLevel = Math.Max(PeakLevel, FrameView.Level(pixel, DetectionPlane.Largest));
                         Clipped[i] = IsClipped(pixel, blue, green, red, total);
                         Light[i] = hasLuma ? PixelRow.Luma(image, Top + y, Left + x) : Weigh(isReduced ? view.Now[reduced] : pixel, blue, green, red);
-                        _past[i] = candidate.IsOnset ? Weigh(view.Before[reduced], blue, green, red) : view.Envelope(reduced, candidate.Plane);
+                        if (candidate.IsOnset)
+                            _past[i] = Weigh(Unclipped(isReduced ? view.Now[reduced] : pixel, view.Before[reduced]), blue, green, red);
+                        else
+                            _past[i] = Clipped[i] ? _usualEnvelope : view.Envelope(reduced, candidate.Plane);
                     }
                 }
             }
@@ -126,6 +137,39 @@ namespace LaserTracking.Detection
 
         private static float Weigh(uint pixel, float blue, float green, float red) =>
             blue * (pixel & 255) + green * (pixel >> 8 & 255) + red * (pixel >> 16 & 255);
+
+        /// <summary>Where the sensor clips, the background does not show any more: channel by channel its mean takes its place.</summary>
+        private uint Unclipped(uint now, uint past)
+        {
+            uint mask = ((now & 255) >= ClippedLevel ? 0xFFu : 0) | ((now >> 8 & 255) >= ClippedLevel ? 0xFF00u : 0) | ((now >> 16 & 255) >= ClippedLevel ? 0xFF0000u : 0);
+            return (past & ~mask) | (_usualPast & mask);
+        }
+
+        /// <summary>Means of the past over the window's border.</summary>
+        private void MeetUsualPast(in FrameView view, int factor, DetectionPlane plane)
+        {
+            long blue = 0, green = 0, red = 0, envelope = 0, count = 0;
+            for (int y = 0; y < Height; y++)
+            {
+                int row = Math.Max(0, Math.Min(view.Height - 1, (Top + y) / factor - view.ShiftY)) * view.Width;
+                for (int x = 0; x < Width; x++)
+                {
+                    if (!IsInBorder(x, y))
+                        continue;
+                    int i = row + Math.Max(0, Math.Min(view.Width - 1, (Left + x) / factor - view.ShiftX));
+                    uint past = view.Before[i];
+                    blue += past & 255;
+                    green += past >> 8 & 255;
+                    red += past >> 16 & 255;
+                    envelope += view.Envelope(i, plane);
+                    count++;
+                }
+            }
+
+            count = Math.Max(1, count);
+            _usualPast = (uint)(blue / count) | (uint)(green / count) << 8 | (uint)(red / count) << 16;
+            _usualEnvelope = envelope / (float)count;
+        }
 
         private static bool IsClipped(uint pixel, float blue, float green, float red, float total) =>
             (blue < total || (pixel & 255) >= ClippedLevel) && (green < total || (pixel >> 8 & 255) >= ClippedLevel) && (red < total || (pixel >> 16 & 255) >= ClippedLevel);
@@ -184,6 +228,7 @@ namespace LaserTracking.Detection
         private void SubtractBackground()
         {
             double offset = 0, slope = 0, limit = double.PositiveInfinity;
+            Noise = 1;
             for (int round = 0; round < 3; round++)
             {
                 double n = 0, sumP = 0, sumL = 0, sumPP = 0, sumPL = 0, sumLL = 0;
