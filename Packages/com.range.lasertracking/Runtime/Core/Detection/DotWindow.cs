@@ -23,9 +23,6 @@ namespace LaserTracking.Detection
         /// <summary>Noise through the frame's temporal noise, above which the past does not explain the border.</summary>
         private const double MaxTexture = 3;
 
-        /// <summary>The same through the dot's peak.</summary>
-        private const double MaxTextureShare = 0.05;
-
         private readonly uint[] _row = new uint[MaxSide];
         private readonly float[] _past = new float[MaxSide * MaxSide];
 
@@ -69,10 +66,10 @@ namespace LaserTracking.Detection
             SubtractBackground();
 
             // The past is known at half size only: fine texture shows in the difference unless both are compared at that size. That costs
-            // sharpness, so only for dots that are not far above it.
+            // sharpness, so not for dots that clip.
             double fullNoise = Noise;
             FindPeak();
-            if (factor > 1 && fullNoise > MaxTexture * noise && fullNoise > MaxTextureShare * Peak)
+            if (factor > 1 && fullNoise > MaxTexture * noise && ClippedCount == 0)
             {
                 Gather(image, view, factor, candidate, blue, green, red, true);
                 SubtractBackground();
