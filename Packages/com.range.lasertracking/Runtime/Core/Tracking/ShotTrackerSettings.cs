@@ -31,7 +31,7 @@ namespace LaserTracking.Tracking
         /// How fast the dot of an aimed weapon moves without its shape showing it, px at 640 per second, root mean square along each axis,
         /// 0…10000: tremor, sway, a target followed. Widens the place of the light's begin.
         /// </summary>
-        public double HandSpeedPxPerS { get; set; } = 12.5;
+        public double HandSpeedPxPerS { get; set; } = 11;
 
         /// <summary>Shutter and rolling shutter of the camera.</summary>
         public CameraTimingSettings Timing { get; set; } = new CameraTimingSettings();
