@@ -24,16 +24,19 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("detect-1080p", "1920×1080 BGRA frame in, shots out; moving scene, 2 dots", () => Detect("shots", 1920, 1080, PixelFormat.Bgra32)),
             new Benchmark("detect-720p-nv12", "1280×720 NV12 frame in, shots out; moving scene, 2 dots", () => Detect("shots", 1280, 720, PixelFormat.Nv12)),
             new Benchmark("paper-1080p", "the published algorithm at 960 px width on 1920×1080 BGRA; moving scene, 2 dots", () => Detect("paper", 1920, 1080, PixelFormat.Bgra32)),
+            new Benchmark("dual-1080p", "1024×1024 16-bit infrared and 1920×1080 BGRA in, shots out; moving scene, 3 dots at 850 nm", () => Dual(true)),
+            new Benchmark("dual-infrared-1080p", "the same without a search of colour: colour is read around infrared spots only, as in the published module", () => Dual(false)),
             new Benchmark("hands-640x576", "depth frame in, hands out; 2 people", Hands),
             new Benchmark("pair-multiuser", "4 shots of one frame to 4 hands", Pair),
             new Benchmark("decode-720p-mjpg", "one 1280×720 4:2:2 JPEG to YUY2", Decode),
             new Benchmark("end-to-end-720p", "1280×720 NV12 frame in, scored hit and event line out; 2 shooters, shots all the time", EndToEnd),
         };
 
-        private static Action<int> Detect(string detectorName, int width, int height, PixelFormat format)
+        private static Action<int> Detect(string detectorName, int width, int height, PixelFormat format) =>
+            Detect(DetectFrames(width, height, format, LoopFrames), Sessions.RangeSession.CreateDetector(detectorName));
+
+        private static Action<int> Detect(FrameLoop frames, IShotDetector detector)
         {
-            var frames = new FrameLoop(FrameLoop.Range(width, height, format, 2, 2000, 90).CreateColorSource(), LoopFrames);
-            IShotDetector detector = Sessions.RangeSession.CreateDetector(detectorName);
             var tracker = new ShotTracker();
             var detections = new Detections();
             return number =>
@@ -43,6 +46,27 @@ namespace LaserTracking.Host.Benchmarks
                 detector.Process(frame, detections);
                 tracker.Process(detections);
             };
+        }
+
+        private static Action<int> Dual(bool searchesColor)
+        {
+            FrameLoop frames = DualFrames(LoopFrames, out SimulatedRange range);
+            return Detect(frames, new DualShotDetector(new DualDetectorSettings { SearchesColor = searchesColor }, range.InfraredMapping));
+        }
+
+        /// <summary>The moving scene with two lasers held on, as the detectors' benchmarks see it.</summary>
+        internal static FrameLoop DetectFrames(int width, int height, PixelFormat format, int count) =>
+            new(FrameLoop.Range(width, height, format, 2, 2000, 90).CreateColorSource(), count);
+
+        /// <summary>The same with three 850 nm emitters, in colour and in infrared.</summary>
+        internal static FrameLoop DualFrames(int count, out SimulatedRange range)
+        {
+            SimulationScenario scenario = FrameLoop.Scenario(1920, 1080, PixelFormat.Bgra32, 3, 2000, 90);
+            scenario.InfraredCamera.Enabled = true;
+            foreach (ShooterSettings shooter in scenario.Shooters)
+                shooter.Laser.Color = LaserColor.Infrared;
+            range = new SimulatedRange(scenario, SimulationScenes.Default());
+            return new FrameLoop(range.CreateColorSource(), count);
         }
 
         private static Action<int> Hands()

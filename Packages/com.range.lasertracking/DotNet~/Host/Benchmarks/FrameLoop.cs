@@ -49,7 +49,11 @@ namespace LaserTracking.Host.Benchmarks
         }
 
         /// <summary>The moving default scene with this many lasers held on, seen by a camera of the given size and format.</summary>
-        public static SimulatedRange Range(int width, int height, PixelFormat format, int lasers, double pulseMs, int everyFrames)
+        public static SimulatedRange Range(int width, int height, PixelFormat format, int lasers, double pulseMs, int everyFrames) =>
+            new SimulatedRange(Scenario(width, height, format, lasers, pulseMs, everyFrames), SimulationScenes.Default());
+
+        /// <summary>What <see cref="Range"/> simulates.</summary>
+        public static SimulationScenario Scenario(int width, int height, PixelFormat format, int lasers, double pulseMs, int everyFrames)
         {
             var scenario = new SimulationScenario { Name = "benchmark", Seed = 11, DurationS = 3 };
             scenario.ColorCamera.Width = width;
@@ -62,7 +66,7 @@ namespace LaserTracking.Host.Benchmarks
                     scenario.Shots.Add(new ShotSettings { TimeS = frame / 30.0, Shooter = i + 1, PulseMs = pulseMs, ScreenM = new Geometry.Vector2D(0.8 + 0.7 * i, 0.6 + 0.25 * i) });
             }
 
-            return new SimulatedRange(scenario, SimulationScenes.Default());
+            return scenario;
         }
     }
 }

@@ -24,18 +24,20 @@ namespace LaserTracking.Host.Commands
             var handOffset = new Option<long>("--hand-offset-us") { HelpName = "US", Description = "Added to the second camera's times, microseconds." };
             var calibration = new Option<string?>("--calibration") { HelpName = "FILE", Description = "Where the screen lies in the image (made by 'calibrate screen')." };
             var scene = new Option<string?>("--scene") { HelpName = "FILE.unity", Description = "The Unity scene (.unity) that was shown: shots are scored against it." };
-            var detector = new Option<string>("--detector") { HelpName = "NAME", Description = "shots, or paper: the published algorithm, faithfully.", DefaultValueFactory = _ => "shots" };
+            var detector = new Option<string>("--detector") { HelpName = "NAME", Description = "shots; paper: the published algorithm, faithfully; dual: infrared and colour together, for recordings that hold both.", DefaultValueFactory = _ => "shots" };
             var events = new Option<string?>("--events") { HelpName = "FILE", Description = "Writes events.jsonl there; - is standard output." };
+            var rejected = new Option<string>("--rejected") { HelpName = "WHICH", Description = "Rejected candidates among the events: all (default); notable: without those that moving edges make, too faint, too small or not compact; none.", DefaultValueFactory = _ => "all" };
             var dots = new Option<string?>("--dots") { HelpName = "FILE", Description = "Writes every tracked dot in every frame there." };
             var report = new Option<string?>("--report") { HelpName = "DIR", Description = "Writes report.html into this folder." };
             var paced = new Option<bool>("--paced") { Description = "Runs at the recording's own speed." };
             var exposure = new Option<double>("--exposure-us") { HelpName = "US", Description = "The camera's shutter, microseconds: narrows the uncertainty of time and place." };
             var row = new Option<double>("--row-us") { HelpName = "US", Description = "Rolling shutter: delay from one row to the next, microseconds." };
-            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, detector, events, dots, report, paced, exposure, row };
+            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, detector, events, rejected, dots, report, paced, exposure, row };
             command.SetAction((parsed, interrupted) =>
             {
                 RangeSession.CreateDetector(parsed.GetValue(detector)!);
                 CameraTimingSettings timing = Timing(parsed.GetValue(exposure), parsed.GetValue(row));
+                RejectedLines which = SessionOutputs.ParseRejected(parsed.GetValue(rejected)!);
                 string name = parsed.GetValue(input)!;
                 string? handName = parsed.GetValue(hand), calibrationName = parsed.GetValue(calibration), sceneName = parsed.GetValue(scene);
                 foreach (string? result in new[] { parsed.GetValue(events), parsed.GetValue(dots) })
@@ -46,7 +48,9 @@ namespace LaserTracking.Host.Commands
                     throw new InputException(sceneName!, "a scene needs the screen's place in the image", "add --calibration FILE");
                 if (handName != null && geometry?.HandCamera == null)
                     throw new InputException(handName, "the second camera's place is not known", "add --calibration FILE with a hand_camera");
-                using IFrameSource screenCamera = new PrefetchingFrameSource(FrameSources.OpenScreenCamera(name));
+                IFrameSource screenFrames = FrameSources.OpenScreenCamera(name);
+                InfraredMapping? infraredMapping = InfraredMappings.Find(screenFrames, geometry, out string? infraredProblem);
+                using IFrameSource screenCamera = new PrefetchingFrameSource(screenFrames);
                 using IFrameSource? handCamera = handName == null ? null : new PrefetchingFrameSource(FrameSources.OpenHandCamera(handName));
                 var inputs = new List<SessionInput> { InputHash.Of(name) };
                 if (handName != null)
@@ -60,11 +64,13 @@ namespace LaserTracking.Host.Commands
                     CalibrationName = calibrationName,
                     Scene = model,
                     Detector = parsed.GetValue(detector)!,
+                    InfraredMapping = infraredMapping,
+                    InfraredProblem = infraredProblem,
                     Inputs = inputs,
                     CameraTiming = timing,
                     IsPaced = parsed.GetValue(paced),
                 };
-                var outputs = new SessionOutputs(parsed.GetValue(events), parsed.GetValue(dots), parsed.GetValue(report));
+                var outputs = new SessionOutputs(parsed.GetValue(events), parsed.GetValue(dots), parsed.GetValue(report)) { Rejected = which };
                 return Task.FromResult(outputs.Run(plan, "Replay of " + name, interrupted));
             });
             return command;

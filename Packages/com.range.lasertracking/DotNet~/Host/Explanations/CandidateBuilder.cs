@@ -59,6 +59,6 @@ namespace LaserTracking.Host.Explanations
         };
 
         private static string Rejected(RejectionReason reason, double value, double limit) =>
-            FormattableString.Invariant($"rejected: {EventWords.Of(reason)} ({value:0.###}, limit {limit:0.###})");
+            $"rejected: {EventWords.Of(reason)} ({TestRow.Number(value)}, limit {TestRow.Number(limit)})";
     }
 }

@@ -182,6 +182,6 @@ namespace LaserTracking.Host.Explanations
         }
 
         private static string Words(in RejectedCandidate candidate) =>
-            FormattableString.Invariant($"{EventWords.Of(candidate.Reason)} ({candidate.Value:0.###}, limit {candidate.Limit:0.###})");
+            $"{EventWords.Of(candidate.Reason)} ({TestRow.Number(candidate.Value)}, limit {TestRow.Number(candidate.Limit)})";
     }
 }

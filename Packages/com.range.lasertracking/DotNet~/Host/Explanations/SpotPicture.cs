@@ -80,7 +80,7 @@ namespace LaserTracking.Host.Explanations
         /// <summary>The outline of what rose at least half as far as the candidate's seed.</summary>
         private static void Contour(Canvas canvas, SpotTrace spot, bool ofSmallest, ExplainedCandidate candidate, int x0, int y0)
         {
-            (int seedX, int seedY) = Place(spot, candidate.SeedPx);
+            (int seedX, int seedY) = spot.Place(candidate.SeedPx);
             if (seedX < 0 || seedY < 0 || seedX >= spot.Side || seedY >= spot.Side)
                 return;
             byte[] rise = spot.Rise(ofSmallest).ToArray();
@@ -106,21 +106,14 @@ namespace LaserTracking.Host.Explanations
             int size = spot.Side * PixelSize;
             foreach (ExplainedCandidate candidate in frame.Candidates.Where(c => chosen == null || c == chosen))
             {
-                (int left, int top) = Place(spot, candidate.TopLeftPx);
-                (int right, int bottom) = Place(spot, candidate.BottomRightPx);
+                (int left, int top) = spot.Place(candidate.TopLeftPx);
+                (int right, int bottom) = spot.Place(candidate.BottomRightPx);
                 if (right < 0 || bottom < 0 || left >= spot.Side || top >= spot.Side)
                     continue;
                 int x = Math.Max(0, left * PixelSize - 2), y = Math.Max(0, top * PixelSize - 2);
                 int endX = Math.Min(size, (right + 1) * PixelSize + 2), endY = Math.Min(size, (bottom + 1) * PixelSize + 2);
                 canvas.Outline(x0 + x, y0 + y, endX - x, endY - y, Palette.Of(candidate.State));
             }
-        }
-
-        /// <summary>Searched pixel inside what is kept.</summary>
-        private static (int X, int Y) Place(SpotTrace spot, Vector2D px)
-        {
-            int Axis(double value, double center) => (int)Math.Floor((value + 0.5) / spot.Factor) - (int)(center + 0.5) / spot.Factor + spot.Radius;
-            return (Axis(px.X, spot.AtPx.X), Axis(px.Y, spot.AtPx.Y));
         }
 
         private static void Cross(Canvas canvas, int x, int y, int reach, int gap)

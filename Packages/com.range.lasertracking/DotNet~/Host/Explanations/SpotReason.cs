@@ -61,8 +61,12 @@ namespace LaserTracking.Host.Explanations
 
         private static ExplainedCandidate[] InTile(ExplainedFrame frame, SpotTrace spot)
         {
-            double side = 16.0 * spot.Factor;
-            (double X, double Y) Tile(Vector2D at) => (Math.Floor((at.X + 0.5) / side), Math.Floor((at.Y + 0.5) / side));
+            (int X, int Y) Tile(Vector2D at)
+            {
+                (int column, int row) = spot.Place(at);
+                return ((spot.CenterX - spot.Radius + column) >> 4, (spot.CenterY - spot.Radius + row) >> 4);
+            }
+
             return frame.Candidates.Where(c => Tile(c.SeedPx) == Tile(spot.AtPx)).ToArray();
         }
     }

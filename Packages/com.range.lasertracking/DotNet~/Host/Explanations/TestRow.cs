@@ -16,7 +16,7 @@ namespace LaserTracking.Host.Explanations
         }
 
         /// <summary>Three digits that matter are enough to see by how much.</summary>
-        private static string Number(double value)
+        public static string Number(double value)
         {
             double size = Math.Abs(value);
             return value.ToString(size >= 100 ? "0" : size >= 10 ? "0.#" : size >= 1 ? "0.##" : "0.###", CultureInfo.InvariantCulture);

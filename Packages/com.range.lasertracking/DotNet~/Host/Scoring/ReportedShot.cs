@@ -6,5 +6,6 @@ namespace LaserTracking.Host.Scoring
     /// <param name="Frame">In which it was reported.</param>
     /// <param name="PositionPx">Where.</param>
     /// <param name="Color">As in events.jsonl; null when the event has none.</param>
-    internal sealed record ReportedShot(int Frame, Vector2D PositionPx, string? Color);
+    /// <param name="Confidence">0…1.</param>
+    internal sealed record ReportedShot(int Frame, Vector2D PositionPx, string? Color, double Confidence = 1);
 }

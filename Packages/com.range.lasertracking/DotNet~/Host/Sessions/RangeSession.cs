@@ -4,6 +4,7 @@ using System.Reflection;
 using System.Threading;
 using LaserTracking.Capture;
 using LaserTracking.Detection;
+using LaserTracking.Geometry;
 using LaserTracking.Host.Terminal;
 using LaserTracking.Pipeline;
 using LaserTracking.Scoring;
@@ -17,18 +18,22 @@ namespace LaserTracking.Host.Sessions
         public static string Version { get; } = typeof(RangeSession).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion.Split('+')[0];
 
         /// <summary>The detectors by the names of the command line.</summary>
-        public static IShotDetector CreateDetector(string name) => name switch
+        /// <param name="name">As on the command line.</param>
+        /// <param name="infraredMapping">For "dual"; null: equal fields of view.</param>
+        /// <exception cref="InputException">There is no such detector.</exception>
+        public static IShotDetector CreateDetector(string name, InfraredMapping? infraredMapping = null) => name switch
         {
             "shots" => new ShotDetector(),
             "paper" => new PaperShotDetector(),
-            _ => throw new InputException("--detector", $"there is no detector \"{name}\"", "known are shots and paper"),
+            "dual" => new DualShotDetector(null, infraredMapping),
+            _ => throw new InputException("--detector", $"there is no detector \"{name}\"", "known are shots, paper and dual"),
         };
 
         /// <summary>True when the end was reached, false when it was interrupted; the sink's session is ended in both cases.</summary>
         public static bool Run(SessionPlan plan, IEventSink sink, CancellationToken interrupted)
         {
             var pipeline = RangePipeline.CreateDefault(
-                CreateDetector(plan.Detector),
+                CreateDetector(plan.Detector, plan.InfraredMapping),
                 plan.Calibration,
                 plan.HandCamera != null,
                 plan.Scene == null ? null : new ShotScorer(plan.Scene),
@@ -36,6 +41,8 @@ namespace LaserTracking.Host.Sessions
                 new PipelineSettings { SceneTimeZeroUs = plan.SceneTimeZeroUs, CameraTiming = plan.CameraTiming });
             pipeline.Begin(new SessionHeader(Version, plan.Inputs, plan.CalibrationName, plan.Detector, plan.Seed));
             ReportOtherSizes(pipeline, plan);
+            if (plan.Detector == "dual" && plan.InfraredProblem != null)
+                pipeline.ReportInputProblem(new FrameProblem(-1, plan.InfraredProblem));
 
             var watch = Stopwatch.StartNew();
             using var progress = new ProgressLine();

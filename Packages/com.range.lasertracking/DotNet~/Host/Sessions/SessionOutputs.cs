@@ -26,8 +26,20 @@ namespace LaserTracking.Host.Sessions
         /// <summary>What the projector showed as the scene's clock began, for the report, PNG; null: plain.</summary>
         public byte[]? BackgroundPng { get; set; }
 
+        /// <summary>Which rejected candidates events.jsonl gets.</summary>
+        public RejectedLines Rejected { get; init; }
+
         /// <summary>What the last run found.</summary>
         public SessionRecorder Recorder { get; private set; } = new();
+
+        /// <exception cref="InputException">The word is none of the three.</exception>
+        public static RejectedLines ParseRejected(string word) => word switch
+        {
+            "all" => RejectedLines.All,
+            "notable" => RejectedLines.Notable,
+            "none" => RejectedLines.None,
+            _ => throw new InputException("--rejected", $"\"{word}\" is not known", "give all, notable or none"),
+        };
 
         /// <summary>Runs the plan and writes everything that was asked for; returns the exit code.</summary>
         public int Run(SessionPlan plan, string title, CancellationToken interrupted)
@@ -38,7 +50,7 @@ namespace LaserTracking.Host.Sessions
             Recorder = new SessionRecorder();
             var sinks = new List<IEventSink> { Recorder };
             if (events != null)
-                sinks.Add(new JsonLinesSink(events.Stream));
+                sinks.Add(new JsonLinesSink(events.Stream, Rejected == RejectedLines.None ? EventTypes.Default & ~EventTypes.Rejected : EventTypes.Default) { SkipsOrdinaryRejected = Rejected == RejectedLines.Notable });
             if (dots != null)
                 sinks.Add(new JsonLinesSink(dots.Stream, EventTypes.Dots));
 

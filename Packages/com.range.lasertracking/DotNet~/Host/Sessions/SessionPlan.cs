@@ -22,7 +22,13 @@ namespace LaserTracking.Host.Sessions
 
         public SceneModel? Scene { get; init; }
 
-        /// <summary>"shots" or "paper".</summary>
+        /// <summary>From infrared to colour px, for the detector "dual"; null: equal fields of view.</summary>
+        public InfraredMapping? InfraredMapping { get; init; }
+
+        /// <summary>Why there is no such mapping although there is infrared; null: nothing to say.</summary>
+        public string? InfraredProblem { get; init; }
+
+        /// <summary>"shots", "paper" or "dual".</summary>
         public string Detector { get; init; } = "shots";
 
         public IReadOnlyList<SessionInput> Inputs { get; init; } = Array.Empty<SessionInput>();

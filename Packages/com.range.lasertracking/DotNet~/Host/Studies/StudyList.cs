@@ -1,6 +1,8 @@
 using System.Collections.Generic;
 using LaserTracking.Host.Studies.Clips;
 using LaserTracking.Host.Studies.Measuring;
+using LaserTracking.Host.Studies.Simulated;
+using LaserTracking.Host.Studies.Dual;
 
 namespace LaserTracking.Host.Studies
 {
@@ -10,12 +12,15 @@ namespace LaserTracking.Host.Studies
         public static IReadOnlyList<IStudy> All { get; } = new IStudy[]
         {
             new ClipStressStudy(),
+            new AmbientStudy(),
             new PastedDotsStudy(),
             new PositionStudy(),
             new EllipseStudy(),
             new ConfidenceStudy(),
             new TimingStudy(),
             new ColorStudy(),
+            new StaticStudy(),
+            new FrameRateStudy(),
         };
     }
 }

@@ -6,9 +6,9 @@ namespace LaserTracking.Host.Studies
     /// <param name="FirstSeed">First of the seeds to run.</param>
     /// <param name="LastSeed">The last one, included.</param>
     /// <param name="Progress">Where to say how far it is.</param>
-    /// <param name="Only">Run only the cases whose names contain this; null: all.</param>
+    /// <param name="Only">Run only the cases whose names contain one of these, separated by commas; null: all.</param>
     internal sealed record StudyOptions(int FirstSeed, int LastSeed, ProgressLine Progress, string? Only = null)
     {
-        public bool Includes(string caseName) => Only == null || caseName.Contains(Only, System.StringComparison.OrdinalIgnoreCase);
+        public bool Includes(string caseName) => Only == null || System.Linq.Enumerable.Any(Only.Split(','), part => caseName.Contains(part, System.StringComparison.OrdinalIgnoreCase));
     }
 }

@@ -70,6 +70,9 @@ namespace LaserTracking.Detection
         /// <summary>Rise times the root of the area, levels·px: what the eye integrates.</summary>
         public double Strength;
 
+        /// <summary>What speaks for a laser's light, all measures together; 0 = even odds.</summary>
+        public double LogOdds;
+
         public bool IsConclusive;
 
         /// <summary>Brighter than anything that the projected picture has shown: grown and measured by what exceeds that.</summary>

@@ -46,7 +46,6 @@ namespace LaserTracking.Detection
         {
             known = default;
             double area = Scale * Scale;
-            bool isLargest = candidate.Plane == DetectionPlane.Largest;
             candidate.CenterX = candidate.SeedX;
             candidate.CenterY = candidate.SeedY;
             double minLevels = Math.Max(_settings.MinRiseLevels, _settings.MinRiseSigmas * Noise);
@@ -64,77 +63,48 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.Area > _settings.MaxAreaPx * area, RejectionReason.TooLarge, candidate.Area / area, _settings.MaxAreaPx)
                 || Fails(ref candidate, candidate.Area < _settings.MinAreaPx * area, RejectionReason.TooSmall, candidate.Area / area, _settings.MinAreaPx))
                 return;
-            bool isFaint = isLargest || rise < _settings.ConclusiveRise;
-            if (Fails(ref candidate, candidate.Compactness < _settings.MinCompactness, RejectionReason.NotCompact, candidate.Compactness, _settings.MinCompactness))
-                return;
-            if (isFaint && FailsAtEdge(view, ref candidate))
-                return;
             candidate.Strength = candidate.PeakRise * Math.Sqrt(candidate.Area / area);
-            double minStrength = isFaint
-                ? _settings.MinFaintStrength + _settings.FaintStrengthPerActivity * candidate.Activity
-                : _settings.MinStrength + _settings.StrengthPerActivity * candidate.Activity;
-            if (Fails(ref candidate, candidate.Strength < minStrength, RejectionReason.TooFaint, candidate.Strength, minStrength, "strength, levels·px"))
-                return;
-            double elongation = candidate.LongSigma / candidate.ShortSigma;
-            double maxElongation = isLargest ? _settings.MaxLargestElongation : rise < _settings.StreakRise ? _settings.MaxFaintElongation : _settings.MaxElongation;
-            if (Fails(ref candidate, elongation > maxElongation, RejectionReason.TooElongated, elongation, maxElongation))
-                return;
-            JudgeSurroundings(view, ref candidate, memory, out known, isFaint, elongation);
-        }
-
-        private void JudgeSurroundings(
-            in FrameView view, ref Candidate candidate, DotMemory memory, out RememberedDot known, bool isFaint, double elongation)
-        {
-            int seed = candidate.SeedY * view.Width + candidate.SeedX;
-            double fresh = view.Change(seed, candidate.Plane) / (double)candidate.PeakRise;
-            candidate.IsOnset = fresh >= 0.5;
             SurroundingsMeasurer.ColorRise(view, ref candidate);
+            double fresh = view.Change(candidate.SeedY * view.Width + candidate.SeedX, candidate.Plane) / (double)candidate.PeakRise;
+            candidate.IsOnset = fresh >= 0.5;
             int excess = SurroundingsMeasurer.PeakLevel(view, candidate) - ContentLevel;
             candidate.MayBeContent = excess < _settings.MinContentExcess && (IsContentKnown || candidate.ActivityAround > _settings.QuietActivity);
             bool isProvenByLevel = IsContentKnown && excess >= ConclusiveExcess;
             if (memory.TryFind(candidate, out known))
             {
-                candidate.IsConclusive = known.IsConclusive || isProvenByLevel;
+                // Light that grows further says the same once more; what speaks against it counts as well.
+                candidate.LogOdds = known.LogOdds;
+                if (!known.IsConclusive && candidate.IsOnset)
+                    candidate.LogOdds += Weigh(view, ref candidate, out int _, stackalloc float[DotEvidence.Count]);
+                candidate.IsConclusive = known.IsConclusive || isProvenByLevel || candidate.LogOdds >= _settings.ConclusiveLogOdds;
                 Fails(ref candidate, !candidate.IsConclusive && known.Frames > _settings.MaxWaitFrames, RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
                 return;
             }
 
-            double minFreshness = isFaint ? _settings.MinFaintFreshness : _settings.MinFreshness;
-
-            // On saturated backgrounds only blue has room to rise: strong candidates may count on it, faint ones must show laser light.
-            double freshness = isFaint ? candidate.Vividness : candidate.Freshness;
-            if (Fails(ref candidate, freshness < minFreshness, RejectionReason.NotNew, freshness, minFreshness, isFaint ? "vividness" : "freshness")
-                || Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, fresh, 0.5))
+            if (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, fresh, 0.5) || FailsAtEdge(view, ref candidate))
                 return;
-
-            // Large dots are bright lasers: their rim has the colour of one. Large things without it are round at least, or no dots.
-            bool isVivid = candidate.Vividness >= _settings.VividFreshness && candidate.Strength >= _settings.VividStrength;
-            bool isBlunt = candidate.Vividness < _settings.VividFreshness && candidate.Area > _settings.ConclusiveAreaPx * Scale * Scale;
-            double coherence = Math.Abs(candidate.GreenCoherence);
-            if (Fails(ref candidate, isBlunt && elongation > _settings.MaxBluntElongation, RejectionReason.TooElongated, elongation, _settings.MaxBluntElongation, "length / width, blunt")
-                || Fails(ref candidate, isBlunt && coherence < _settings.MinBluntCoherence, RejectionReason.WrongColor, coherence, _settings.MinBluntCoherence))
+            Span<float> features = stackalloc float[DotEvidence.Count];
+            candidate.LogOdds = Weigh(view, ref candidate, out int against, features);
+            EvidenceCurve curve = DotEvidence.Curves[against];
+            if (Fails(ref candidate, candidate.LogOdds < _settings.MinLogOdds, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What))
                 return;
+            candidate.IsConclusive = Suffices(_settings.ConclusiveLogOdds - candidate.LogOdds, 0, "evidence missing");
+        }
+
+        /// <summary>No single measure decides: all of them together say how likely this is a laser's light.</summary>
+        private double Weigh(in FrameView view, ref Candidate candidate, out int against, Span<float> features)
+        {
             SurroundingsMeasurer.Ring(view, ref candidate, Noise);
-            double maxShare = isFaint && !isVivid ? _settings.MaxFaintRingShare : _settings.MaxRingShare;
-            double maxLevel = !isFaint ? _settings.MaxRingLevel : isVivid ? _settings.MaxVividRingLevel : _settings.MaxFaintRingLevel;
-            if (Fails(ref candidate, candidate.RingShare > maxShare, RejectionReason.NotIsolated, candidate.RingShare, maxShare, "ring: share risen")
-                || Fails(ref candidate, candidate.RingLevel > maxLevel, RejectionReason.NotIsolated, candidate.RingLevel, maxLevel, "ring: level"))
-                return;
-            candidate.MotionShare = SurroundingsMeasurer.MotionShare(view, candidate, (int)(_settings.MotionRadiusPx * Scale), Noise);
-            double maxMotion = isFaint ? _settings.MaxFaintMotionShare : IsExemplary(candidate, elongation) ? _settings.MaxExemplaryMotionShare : _settings.MaxMotionShare;
-            if (Fails(ref candidate, candidate.MotionShare > maxMotion, RejectionReason.MovingSurroundings, candidate.MotionShare, maxMotion))
-                return;
+            FeatureMeasurer.Measure(view, candidate, Noise, Scale, ContentLevel, (int)(_settings.MotionRadiusPx * Scale), features);
+            candidate.MotionShare = features[(int)DotFeature.BrightenedAround] + features[(int)DotFeature.DarkenedAround];
+            if (Trace != null)
+            {
+                for (int i = 0; i < features.Length; i++)
+                    Trace.AddEvidence(DotEvidence.Curves[i].What, features[i], DotEvidence.Curves[i].At(features[i]));
+            }
 
-            // What comes out of nowhere may be the corner of a target, rim and all, unless it is a dot as dots should be, or round and vivid.
-            bool isRoundAndVivid = candidate.Vividness >= _settings.VividFreshness && elongation <= _settings.MaxBluntElongation;
-            bool isLively = candidate.ActivityAround > _settings.QuietActivity;
-            bool isSuspect = candidate.MayBeContent && ((isLively && IsContentKnown) || (!isRoundAndVivid && !IsExemplary(candidate, elongation)));
-            candidate.IsConclusive = (isProvenByLevel && Suffices(ConclusiveExcess - excess, 0, "levels missing above")) || Suffices(!isSuspect, "may be the picture")
-                & Suffices(!isFaint, "faint") & Suffices(!isBlunt, "blunt")
-                & Suffices(candidate.RingShare, _settings.ConclusiveRingShare, "ring: share risen")
-                & Suffices(candidate.RingLevel, _settings.ConclusiveRingLevel, "ring: level")
-                & Suffices(candidate.MotionShare, _settings.ConclusiveMotionShare, "motion around")
-                & Suffices(elongation, _settings.ConclusiveElongation, "length / width");
+            against = DotEvidence.StrongestAgainst(features);
+            return DotEvidence.LogOdds(features);
         }
 
         /// <summary>
@@ -185,12 +155,6 @@ namespace LaserTracking.Detection
             return Fails(ref candidate, toEdge < MinFaintToEdge, RejectionReason.CutByEdge, toEdge, MinFaintToEdge);
         }
 
-        /// <summary>So much like a dot in itself that only its neighbourhood speaks against it: a bumped camera must not hide it.</summary>
-        private bool IsExemplary(in Candidate candidate, double elongation) =>
-            candidate.PeakRelativeRise >= 255 * _settings.ExemplaryRise && candidate.Compactness >= _settings.ExemplaryCompactness
-            && candidate.Area <= _settings.ConclusiveAreaPx * Scale * Scale && elongation <= _settings.MaxLargestElongation
-            && candidate.RingShare <= _settings.MaxFaintRingShare && candidate.RingLevel <= _settings.MaxFaintRingLevel;
-
         private bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit, string? what = null)
         {
             Trace?.Add(reason, !isFailed, value, limit, what);
@@ -200,12 +164,6 @@ namespace LaserTracking.Detection
             candidate.Value = value;
             candidate.Limit = limit;
             return true;
-        }
-
-        private bool Suffices(bool isMet, string against)
-        {
-            Trace?.AddConclusive(isMet, isMet ? 0 : 1, double.NaN, against);
-            return isMet;
         }
 
         /// <summary>One of the conditions under which this frame alone suffices; all of them are looked at, so that all can be shown.</summary>

@@ -23,7 +23,7 @@ namespace LaserTracking.Detection
             if (candidateCapacity < 1 || candidateCapacity > 65536)
                 throw new ArgumentOutOfRangeException(nameof(candidateCapacity), "1…65536 candidates can be kept");
             _candidates = new ExaminedCandidate[candidateCapacity];
-            _tests = new TestOutcome[24 * candidateCapacity];
+            _tests = new TestOutcome[32 * candidateCapacity];
         }
 
         /// <summary>A place to look at closely in every frame, whatever happens there; null: none.</summary>
@@ -81,8 +81,12 @@ namespace LaserTracking.Detection
         internal void AddConclusive(bool isPassed, double value, double limit, string what) =>
             Add(new TestOutcome { What = what, IsPassed = isPassed, Value = value, Limit = limit });
 
+        /// <summary>What one measure says for (positive) or against a dot, log-odds.</summary>
+        internal void AddEvidence(string what, double value, double logOdds) =>
+            Add(new TestOutcome { What = what, IsPassed = logOdds >= 0, Value = value, Limit = logOdds });
+
         /// <summary>The candidate whose tests were added since the last call.</summary>
-        internal void Finish(in Candidate candidate, Vector2D positionPx, int factor, bool isContinued, int dotIndex)
+        internal void Finish(in Candidate candidate, in FrameView view, Vector2D positionPx, int factor, bool isContinued, int dotIndex)
         {
             int first = _firstTest;
             _firstTest = _testCount;
@@ -94,13 +98,14 @@ namespace LaserTracking.Detection
 
             double half = (factor - 1) * 0.5;
             bool isGrown = candidate.Area > 0;
-            var seed = new Vector2D(candidate.SeedX * factor + half, candidate.SeedY * factor + half);
+            int shiftX = view.ShiftX, shiftY = view.ShiftY;
+            var seed = new Vector2D((candidate.SeedX + shiftX) * factor + half, (candidate.SeedY + shiftY) * factor + half);
             _candidates[_candidateCount++] = new ExaminedCandidate
             {
                 SeedPx = seed,
                 PositionPx = positionPx,
-                TopLeftPx = isGrown ? new Vector2D(candidate.Left * factor, candidate.Top * factor) : seed,
-                BottomRightPx = isGrown ? new Vector2D((candidate.Right + 1) * factor - 1, (candidate.Bottom + 1) * factor - 1) : seed,
+                TopLeftPx = isGrown ? new Vector2D((candidate.Left + shiftX) * factor, (candidate.Top + shiftY) * factor) : seed,
+                BottomRightPx = isGrown ? new Vector2D((candidate.Right + shiftX + 1) * factor - 1, (candidate.Bottom + shiftY + 1) * factor - 1) : seed,
                 IsSmallestChannel = candidate.Plane == DetectionPlane.Smallest,
                 IsAboveContent = candidate.IsAboveContent,
                 RiseLevels = candidate.PeakRise,

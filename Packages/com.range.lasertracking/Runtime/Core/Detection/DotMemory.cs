@@ -4,8 +4,27 @@ using LaserTracking.Geometry;
 namespace LaserTracking.Detection
 {
     /// <summary>A dot of the last frame, in working pixels: what keeps its place from being learned as background.</summary>
-    internal struct RememberedDot
+    internal unsafe struct RememberedDot
     {
+        /// <summary>What compression leaves behind in the blocks of a light that has gone, levels.</summary>
+        private const int CompressionLevels = 2;
+
+        /// <summary>Samples along each side of the place as it was before the light.</summary>
+        public const int PlaceSide = 10;
+
+        /// <summary>Levels in the frame before the light, on a grid over the first frame's box.</summary>
+        public fixed byte Place[PlaceSide * PlaceSide];
+        public int PlaceLeft;
+        public int PlaceTop;
+        public int PlaceWidth;
+        public int PlaceHeight;
+
+        /// <summary>Rise in its first frame, levels.</summary>
+        public int FirstRise;
+
+        /// <summary>Mean rise over the place in its first frame, through the largest.</summary>
+        public double FirstLight;
+
         public int Left;
         public int Top;
         public int Right;
@@ -13,6 +32,9 @@ namespace LaserTracking.Detection
         public int Frames;
         public bool IsConclusive;
         public LaserColor Color;
+
+        /// <summary>What has spoken for it so far.</summary>
+        public double LogOdds;
 
         public int PeakRelativeRise;
         public int Area;
@@ -28,6 +50,50 @@ namespace LaserTracking.Detection
         /// <summary>Found again in the frame being processed.</summary>
         public bool IsContinued;
 
+        /// <summary>Keeps what the frame before shows at the candidate.</summary>
+        public void RememberPlace(in FrameView view, in Candidate c)
+        {
+            PlaceLeft = c.Left;
+            PlaceTop = c.Top;
+            PlaceWidth = c.Right - c.Left + 1;
+            PlaceHeight = c.Bottom - c.Top + 1;
+            FirstRise = c.PeakRise;
+            for (int i = 0; i < PlaceSide * PlaceSide; i++)
+                Place[i] = (byte)FrameView.Level(view.Before[PlaceIndex(view, i)], Plane);
+            CompareWithPlace(view, 0, out FirstLight, out double _);
+        }
+
+        /// <summary>The light goes on: its place was that of its first frame.</summary>
+        public void TakePlaceOf(in RememberedDot earlier)
+        {
+            PlaceLeft = earlier.PlaceLeft;
+            PlaceTop = earlier.PlaceTop;
+            PlaceWidth = earlier.PlaceWidth;
+            PlaceHeight = earlier.PlaceHeight;
+            FirstRise = earlier.FirstRise;
+            FirstLight = earlier.FirstLight;
+            for (int i = 0; i < PlaceSide * PlaceSide; i++)
+                Place[i] = earlier.Place[i];
+        }
+
+        /// <summary>Mean difference of the place from what it was, through the rise: brighter (still lit) or darker.</summary>
+        public void CompareWithPlace(in FrameView view, double noise, out double brighter, out double darker)
+        {
+            double up = 0, down = 0, tolerance = 2 * noise + CompressionLevels;
+            for (int i = 0; i < PlaceSide * PlaceSide; i++)
+            {
+                int difference = FrameView.Level(view.Now[PlaceIndex(view, i)], Plane) - Place[i];
+                up += Math.Max(0, difference - tolerance);
+                down += Math.Max(0, -difference - tolerance);
+            }
+
+            brighter = up / (PlaceSide * PlaceSide * (double)FirstRise);
+            darker = down / (PlaceSide * PlaceSide * (double)FirstRise);
+        }
+
+        private int PlaceIndex(in FrameView view, int sample) =>
+            (PlaceTop + sample / PlaceSide * PlaceHeight / PlaceSide) * view.Width + PlaceLeft + sample % PlaceSide * PlaceWidth / PlaceSide;
+
         /// <summary>It lies in the same place and is not a mere remainder of it.</summary>
         public bool GoesOnAs(in Candidate c) => c.CenterX <= Right && c.CenterX >= Left && c.CenterY <= Bottom && c.CenterY >= Top
             && !(WasAboveContent && c.MayBeContent) && 2 * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= 3 * Area;
@@ -40,6 +106,13 @@ namespace LaserTracking.Detection
     internal sealed unsafe class DotMemory
     {
         private const int Capacity = 64;
+
+        /// <summary>What may be left of the light when it goes out during an exposure, share of its first frame's.</summary>
+        private const double MaxBrighterAfter = 0.6;
+
+        /// <summary>How much darker than before the place may be, share of the rise.</summary>
+        private const double MaxDarkerAfter = 0.15;
+
         private RememberedDot[] _last = new RememberedDot[Capacity];
         private RememberedDot[] _now = new RememberedDot[Capacity];
         private int _lastCount;
@@ -99,28 +172,29 @@ namespace LaserTracking.Detection
         }
 
         /// <summary>
-        /// What light leaves behind is the wall as it was. A dot of the last frame that is none any more, but where half of its area is
-        /// still half as far above the background as it was, has not gone out: something came from behind something else.
+        /// What light leaves behind is the wall as it was. A dot of the last frame that is none any more, but whose place does not look
+        /// as it did before, has not gone out: something moved, or came from behind something else.
         /// </summary>
-        public void ReportTraces(in FrameView view, Detections detections)
+        public void ReportTraces(in FrameView view, double noise, Detections detections)
         {
             for (int i = 0; i < _lastCount; i++)
             {
-                RememberedDot dot = _last[i];
-                if (!dot.MayBeContent || IsFoundAgain(dot))
+                ref RememberedDot dot = ref _last[i];
+                if ((dot.IsConclusive && !dot.MayBeContent) || IsFoundAgain(dot))
                     continue;
-                int risen = 0, threshold = Math.Max(1, (dot.PeakRelativeRise + 1) / 2);
-                for (int y = Math.Max(0, dot.Top); y <= Math.Min(view.Height - 1, dot.Bottom); y++)
+                dot.CompareWithPlace(view, noise, out double brighter, out double darker);
+                brighter /= Math.Max(0.1, dot.FirstLight);
+                bool isBrighter = brighter > MaxBrighterAfter;
+                if (isBrighter || darker > MaxDarkerAfter)
                 {
-                    for (int x = Math.Max(0, dot.Left); x <= Math.Min(view.Width - 1, dot.Right); x++)
+                    detections.Reject(new RejectedCandidate
                     {
-                        if (view.RelativeRise(y * view.Width + x, dot.Plane) >= threshold)
-                            risen++;
-                    }
+                        PositionPx = dot.PositionPx,
+                        Reason = RejectionReason.NotConfirmed,
+                        Value = isBrighter ? brighter : darker,
+                        Limit = isBrighter ? MaxBrighterAfter : MaxDarkerAfter,
+                    });
                 }
-
-                if (2 * risen >= dot.Area)
-                    detections.Reject(new RejectedCandidate { PositionPx = dot.PositionPx, Reason = RejectionReason.NotConfirmed, Value = risen / (double)dot.Area, Limit = 0.5 });
             }
         }
 

@@ -9,7 +9,7 @@ namespace LaserTracking.Detection
     /// </summary>
     public interface IShotDetector
     {
-        /// <summary>As on the command line: "shots", "paper".</summary>
+        /// <summary>As on the command line: "shots", "paper", "dual".</summary>
         string Name { get; }
 
         /// <summary>Finds the dots of this frame. A frame without the needed picture gives no dots and leaves the state alone.</summary>

@@ -50,6 +50,9 @@ namespace LaserTracking.Detection
         /// <summary>Movement since the last dot at which stability is zero, reduced px, above 0. Our reading.</summary>
         public double StabilityRangePx { get; set; } = 100;
 
+        /// <summary>Explicit vector instructions where the processor has them; results are the same without.</summary>
+        public bool UseVectors { get; set; } = true;
+
         /// <exception cref="ArgumentException">A value is outside its range or NaN; the message names it.</exception>
         public void Validate()
         {

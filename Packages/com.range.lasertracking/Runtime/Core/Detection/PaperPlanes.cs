@@ -11,12 +11,11 @@ namespace LaserTracking.Detection
     {
         private readonly PaperDetectorSettings _settings;
         private float[] _background = Array.Empty<float>();
-        private float[] _difference = Array.Empty<float>();
         private float[] _excess = Array.Empty<float>();
         private float[] _spike = Array.Empty<float>();
-        private float[] _scratch = Array.Empty<float>();
-        private uint[] _sourceRow = Array.Empty<uint>();
-        private float[] _columnSums = Array.Empty<float>();
+        private float[] _rows = Array.Empty<float>();
+        private uint[] _sourceRows = Array.Empty<uint>();
+        private int[] _edges = Array.Empty<int>();
         private int _sourceWidth;
         private int _sourceHeight;
         private PixelFormat _format;
@@ -49,36 +48,34 @@ namespace LaserTracking.Detection
         {
             if (image.Width != _sourceWidth || image.Height != _sourceHeight || image.Format != _format)
                 Resize(image);
-            Reduce(image);
-            int n = Width * Height;
-            if (!_hasBackground)
+            fixed (float* rows = _rows)
             {
-                Array.Copy(Intensity, _background, n);
-                Array.Clear(_spike, 0, n);
-                _hasBackground = true;
-                return false;
+                // Six blurred rows: the last three of the difference, then the last three of the excess; two raw ones after them.
+                float* difference = rows + 6 * Width, excess = rows + 7 * Width;
+                for (int y = 0; y < Height; y++)
+                {
+                    ReduceRow(image, y, excess);
+                    if (!_hasBackground)
+                        continue;
+                    fixed (float* intensity = Intensity, background = _background)
+                        PaperKernel.Differ(intensity + y * Width, background + y * Width, Width, (float)_settings.BackgroundAlpha, difference, _settings.UseVectors);
+                    PaperKernel.BlurRow(difference, Width, rows + y % 3 * Width, _settings.UseVectors);
+                    PaperKernel.BlurRow(excess, Width, rows + (3 + y % 3) * Width, _settings.UseVectors);
+                    if (y > 0)
+                        FinishRow(y - 1, rows);
+                }
+
+                if (_hasBackground)
+                {
+                    FinishRow(Height - 1, rows);
+                    return true;
+                }
             }
 
-            float alpha = (float)_settings.BackgroundAlpha;
-            for (int i = 0; i < n; i++)
-            {
-                _difference[i] = Math.Abs(Intensity[i] - _background[i]);
-                _background[i] = alpha * _background[i] + (1 - alpha) * Intensity[i];
-            }
-
-            Blur(_difference);
-            Blur(_excess);
-            float gamma = (float)_settings.SpikeGamma;
-            float spikeWeight = (float)_settings.SpikeWeight;
-            float greenWeight = (float)_settings.GreenWeight;
-            for (int i = 0; i < n; i++)
-            {
-                float spike = Math.Max(_difference[i], gamma * _spike[i]);
-                _spike[i] = spike;
-                Score[i] = spikeWeight * spike + greenWeight * _excess[i];
-            }
-
-            return true;
+            Array.Copy(Intensity, _background, Width * Height);
+            Array.Clear(_spike, 0, Width * Height);
+            _hasBackground = true;
+            return false;
         }
 
         private void Resize(Image image)
@@ -92,80 +89,50 @@ namespace LaserTracking.Detection
             Intensity = new float[n];
             Score = new float[n];
             _background = new float[n];
-            _difference = new float[n];
             _excess = new float[n];
             _spike = new float[n];
-            _scratch = new float[n];
-            _sourceRow = new uint[image.Width];
-            _columnSums = new float[3 * Width];
+            _rows = new float[8 * Width];
+            _sourceRows = new uint[image.Format == PixelFormat.Bgra32 ? 0 : image.Width * (image.Height / Height + 2)];
+            _edges = new int[Width + 1];
+            for (int x = 0; x <= Width; x++)
+                _edges[x] = (int)((long)x * _sourceWidth / Width);
             _hasBackground = false;
         }
 
-        /// <summary>Area average over whole source pixels; writes intensity and the green excess.</summary>
-        private void Reduce(Image image)
+        /// <summary>Area average over whole source pixels; writes intensity and the raw green excess.</summary>
+        private void ReduceRow(Image image, int y, float* excess)
         {
-            fixed (uint* source = _sourceRow)
+            int top = (int)((long)y * _sourceHeight / Height);
+            int bottom = Math.Max(top + 1, (int)((long)(y + 1) * _sourceHeight / Height));
+            fixed (uint* converted = _sourceRows)
+            fixed (int* edges = _edges)
+            fixed (float* intensity = Intensity)
             {
-                for (int y = 0; y < Height; y++)
+                byte* source = image.Pixels + (long)top * image.Stride;
+                long stride = image.Stride;
+                if (_format != PixelFormat.Bgra32)
                 {
-                    int top = (int)((long)y * _sourceHeight / Height);
-                    int bottom = Math.Max(top + 1, (int)((long)(y + 1) * _sourceHeight / Height));
-                    Array.Clear(_columnSums, 0, _columnSums.Length);
                     for (int sy = top; sy < bottom; sy++)
-                    {
-                        PixelRow.ToBgra(image, sy, 0, _sourceWidth, source);
-                        for (int x = 0; x < Width; x++)
-                            AddColumn(source, x);
-                    }
-
-                    for (int x = 0; x < Width; x++)
-                    {
-                        float scale = 1f / ((bottom - top) * (Right(x) - Left(x)));
-                        float b = _columnSums[3 * x] * scale, g = _columnSums[3 * x + 1] * scale, r = _columnSums[3 * x + 2] * scale;
-                        Intensity[y * Width + x] = 0.114f * b + 0.587f * g + 0.299f * r;
-                        _excess[y * Width + x] = Math.Max(0, g - 0.5f * (r + b));
-                    }
+                        ReductionKernel.Row(image, sy, 1, converted + (sy - top) * _sourceWidth, _settings.UseVectors);
+                    source = (byte*)converted;
+                    stride = 4L * _sourceWidth;
                 }
+
+                PaperKernel.Reduce(source, bottom - top, stride, edges, Width, intensity + y * Width, excess, _settings.UseVectors);
             }
         }
 
-        private int Left(int x) => (int)((long)x * _sourceWidth / Width);
-
-        private int Right(int x) => Math.Max(Left(x) + 1, (int)((long)(x + 1) * _sourceWidth / Width));
-
-        private void AddColumn(uint* source, int x)
+        /// <summary>The second half of the 3×3 Gaussian (1 2 1) ⊗ (1 2 1) / 16, edges repeated; then spike map and score.</summary>
+        private void FinishRow(int y, float* rows)
         {
-            uint b = 0, g = 0, r = 0;
-            int right = Right(x);
-            for (int sx = Left(x); sx < right; sx++)
+            int above = Math.Max(0, y - 1) % 3 * Width, middle = y % 3 * Width, below = Math.Min(Height - 1, y + 1) % 3 * Width, row = y * Width;
+            float* difference = rows + 6 * Width;
+            float* blurred = rows + 3 * Width;
+            fixed (float* excess = _excess, spike = _spike, score = Score)
             {
-                uint pixel = source[sx];
-                b += pixel & 255;
-                g += pixel >> 8 & 255;
-                r += pixel >> 16 & 255;
-            }
-
-            _columnSums[3 * x] += b;
-            _columnSums[3 * x + 1] += g;
-            _columnSums[3 * x + 2] += r;
-        }
-
-        /// <summary>3×3 Gaussian (1 2 1) ⊗ (1 2 1) / 16, edges repeated.</summary>
-        private void Blur(float[] plane)
-        {
-            int w = Width, h = Height;
-            for (int y = 0; y < h; y++)
-            {
-                int row = y * w;
-                for (int x = 0; x < w; x++)
-                    _scratch[row + x] = (plane[row + Math.Max(0, x - 1)] + 2 * plane[row + x] + plane[row + Math.Min(w - 1, x + 1)]) * 0.25f;
-            }
-
-            for (int y = 0; y < h; y++)
-            {
-                int above = Math.Max(0, y - 1) * w, row = y * w, below = Math.Min(h - 1, y + 1) * w;
-                for (int x = 0; x < w; x++)
-                    plane[row + x] = (_scratch[above + x] + 2 * _scratch[row + x] + _scratch[below + x]) * 0.25f;
+                PaperKernel.BlurColumns(rows + above, rows + middle, rows + below, Width, difference, _settings.UseVectors);
+                PaperKernel.BlurColumns(blurred + above, blurred + middle, blurred + below, Width, excess + row, _settings.UseVectors);
+                PaperKernel.Score(difference, excess + row, spike + row, Width, (float)_settings.SpikeGamma, (float)_settings.SpikeWeight, (float)_settings.GreenWeight, score + row, _settings.UseVectors);
             }
         }
     }

@@ -10,13 +10,13 @@ namespace LaserTracking.Detection
     /// their weighted sum inside the screen, the best candidate of the frame accepted by a confidence of four factors. It stays for
     /// comparison; its weaknesses (saturated cores, moving pictures, one dot only) are the publication's.
     /// </summary>
-    public sealed class PaperShotDetector : IShotDetector
+    public sealed unsafe class PaperShotDetector : IShotDetector
     {
         private const int HistogramBins = 4096;
         private readonly PaperDetectorSettings _settings;
         private readonly PaperPlanes _planes;
         private readonly ScreenMask _mask = new ScreenMask();
-        private readonly int[] _histogram = new int[HistogramBins];
+        private readonly int[] _histogram = new int[4 * HistogramBins];
         private Vector2D _lastPx;
         private bool _hasLast;
 
@@ -30,6 +30,9 @@ namespace LaserTracking.Detection
         }
 
         public string Name => "paper";
+
+        /// <summary>Least score of a candidate in the last frame, levels.</summary>
+        internal float Threshold { get; private set; }
 
         public void SetScreenPolygon(Vector2D[] cornersPx) => _mask.Set(cornersPx);
 
@@ -49,8 +52,8 @@ namespace LaserTracking.Detection
             detections.ImageHeightPx = image.Height;
             if (!_planes.Update(image))
                 return;
-            float threshold = PercentileScore();
-            int best = BestCandidate(threshold, out int outside);
+            Threshold = PercentileScore();
+            int best = BestCandidate(Threshold, out int outside);
             if (outside >= 0)
             {
                 Vector2D at = ToSource(outside % _planes.Width, outside / _planes.Width);
@@ -63,18 +66,36 @@ namespace LaserTracking.Detection
                 _hasLast = false;
         }
 
-        /// <summary>The score that only the top share of the frame reaches, from a histogram (one bin is a sixteenth of a level).</summary>
+        /// <summary>
+        /// The score that only the top share of the frame reaches, from a histogram (one bin is a sixteenth of a level). It follows the
+        /// scene's intensity, as published, by being a share of the frame and no fixed level: twice the light, twice the threshold.
+        /// </summary>
         private float PercentileScore()
         {
-            Array.Clear(_histogram, 0, HistogramBins);
+            Array.Clear(_histogram, 0, _histogram.Length);
             float[] score = _planes.Score;
-            foreach (float s in score)
-                _histogram[Math.Min(HistogramBins - 1, (int)(s * 16))]++;
+            fixed (float* s = score)
+            fixed (int* bins = _histogram)
+            {
+                // Most pixels fall into a few bins: four tables spare each count the wait for the one before.
+                int i = 0;
+                for (; i + 4 <= score.Length; i += 4)
+                {
+                    bins[Math.Min(HistogramBins - 1, (int)(s[i] * 16))]++;
+                    bins[HistogramBins + Math.Min(HistogramBins - 1, (int)(s[i + 1] * 16))]++;
+                    bins[2 * HistogramBins + Math.Min(HistogramBins - 1, (int)(s[i + 2] * 16))]++;
+                    bins[3 * HistogramBins + Math.Min(HistogramBins - 1, (int)(s[i + 3] * 16))]++;
+                }
+
+                for (; i < score.Length; i++)
+                    bins[Math.Min(HistogramBins - 1, (int)(s[i] * 16))]++;
+            }
+
             long allowed = (long)(_settings.TopShare * score.Length);
             int bin = HistogramBins - 1;
             for (long above = 0; bin > 0; bin--)
             {
-                above += _histogram[bin];
+                above += _histogram[bin] + _histogram[HistogramBins + bin] + _histogram[2 * HistogramBins + bin] + _histogram[3 * HistogramBins + bin];
                 if (above >= allowed)
                     break;
             }
@@ -85,29 +106,31 @@ namespace LaserTracking.Detection
         /// <summary>The candidate pixel of highest score inside the screen; also the best one outside when it beats all inside.</summary>
         private int BestCandidate(float threshold, out int outside)
         {
-            float[] score = _planes.Score;
-            float[] excess = _planes.Excess;
             float minExcess = (float)_settings.MinGreenExcess;
             float bestScore = -1, outsideScore = -1;
-            int best = -1;
+            int best = -1, count = _planes.Score.Length;
             outside = -1;
-            for (int i = 0; i < score.Length; i++)
+            fixed (float* score = _planes.Score, excess = _planes.Excess)
             {
-                if (score[i] < threshold || excess[i] < minExcess || score[i] <= bestScore)
-                    continue;
-                if (!_mask.IsWholePicture && _mask.SignedDistancePx(ToSource(i % _planes.Width, i / _planes.Width)) > 0)
+                for (int i = 0; ; i++)
                 {
-                    if (score[i] > outsideScore)
+                    i = PaperKernel.FindCandidate(score, excess, i, count, threshold, minExcess, bestScore, _settings.UseVectors);
+                    if (i == count)
+                        break;
+                    if (!_mask.IsWholePicture && _mask.SignedDistancePx(ToSource(i % _planes.Width, i / _planes.Width)) > 0)
                     {
-                        outsideScore = score[i];
-                        outside = i;
+                        if (score[i] > outsideScore)
+                        {
+                            outsideScore = score[i];
+                            outside = i;
+                        }
+
+                        continue;
                     }
 
-                    continue;
+                    best = i;
+                    bestScore = score[i];
                 }
-
-                best = i;
-                bestScore = score[i];
             }
 
             if (outsideScore <= bestScore)

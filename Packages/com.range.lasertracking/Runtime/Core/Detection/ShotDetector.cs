@@ -14,9 +14,6 @@ namespace LaserTracking.Detection
     {
         private const int GateFloor = 2;
 
-        /// <summary>While the camera shakes, things dim and brighten by how they fall on the pixels: the past must remember longer, levels a frame.</summary>
-        private const int UnsteadyDecay = 1;
-
         private readonly ShotDetectorSettings _settings;
         private readonly DetectionPlanes _planes = new DetectionPlanes();
         private readonly BlobMeasurer _blobs = new BlobMeasurer();
@@ -89,7 +86,7 @@ namespace LaserTracking.Detection
 
             _change.Measure(image, rawNoise);
             _content.Scale(_change.Gain);
-            _planes.Update(image, _change, _change.IsUnsteady ? UnsteadyDecay : _settings.EnvelopeDecay, _isSmooth, _settings.UseVectors);
+            _planes.Update(image, _change, _change.IsUnsteady ? (frame.Index & 3) / 3 : _settings.EnvelopeDecay, _isSmooth, _settings.UseVectors);
             if (_planes.FrameCount == 2)
             {
                 _planes.SmallestTiles.LearnAtOnce();
@@ -144,9 +141,9 @@ namespace LaserTracking.Detection
             SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, detections);
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
-            Trace?.Spot?.Look(view, _planes.Factor, _judge.IsContentKnown ? _content.Level + _settings.MinContentExcess : 256, _memory);
+            Trace?.Spot?.Look(view, _judge.IsContentKnown ? _content.Level + _settings.MinContentExcess : 256, _memory);
             detections.BlindShare = _planes.SmallestTiles.BusyShare;
-            _memory.ReportTraces(view, detections);
+            _memory.ReportTraces(view, _noise.Sigma, detections);
             _memory.Protect(view, _planes.SmallestTiles, _planes.LargestTiles);
             _planes.SmallestTiles.Learn();
             _planes.LargestTiles.Learn();
@@ -158,7 +155,7 @@ namespace LaserTracking.Detection
             _blobs.Begin();
             ReadOnlySpan<int> hot = tiles.FindHot(GateFloor, _settings.MaxCandidates);
             detections.Skip(tiles.HotCount - hot.Length);
-            Trace?.Spot?.SetTile(plane, tiles, hot, GateFloor, _planes.Factor);
+            Trace?.Spot?.SetTile(plane, tiles, hot, GateFloor, view, _planes.Factor);
             for (int round = 0; round < 2; round++)
             {
                 int seeds = 0, slot = 0;
@@ -239,7 +236,7 @@ namespace LaserTracking.Detection
 
             if (candidate.Reason != RejectionReason.None)
             {
-                Trace?.Finish(candidate, position, factor, known.Frames > 0, -1);
+                Trace?.Finish(candidate, view, position, factor, known.Frames > 0, -1);
                 detections.Reject(new RejectedCandidate { PositionPx = position, Reason = candidate.Reason, Value = candidate.Value, Limit = candidate.Limit });
                 return;
             }
@@ -249,9 +246,9 @@ namespace LaserTracking.Detection
             dot.Color = candidate.IsOnset || known.Frames == 0 ? ColorOf(candidate) : known.Color;
             dot.Factors = ConfidenceModel.Of(candidate, AwayShare(dot.PositionPx, image));
             dot.Confidence = Math.Min(1, dot.Factors.Sum);
-            Trace?.Finish(candidate, dot.PositionPx, factor, known.Frames > 0, detections.Dots.Length);
+            Trace?.Finish(candidate, view, dot.PositionPx, factor, known.Frames > 0, detections.Dots.Length);
             detections.Add(dot);
-            Remember(candidate, dot, known);
+            Remember(view, candidate, dot, known);
         }
 
         private LaserColor ColorOf(in Candidate candidate)
@@ -268,10 +265,10 @@ namespace LaserTracking.Detection
             return (positionPx - center).Length / Math.Max(1, center.Length);
         }
 
-        private void Remember(in Candidate candidate, in Dot dot, in RememberedDot known)
+        private void Remember(in FrameView view, in Candidate candidate, in Dot dot, in RememberedDot known)
         {
             int margin = 2 + (Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top) + 1) / 2;
-            _memory.Add(new RememberedDot
+            var remembered = new RememberedDot
             {
                 Left = candidate.Left - margin,
                 Top = candidate.Top - margin,
@@ -280,13 +277,19 @@ namespace LaserTracking.Detection
                 Frames = candidate.IsOnset ? 1 : known.Frames + 1,
                 IsConclusive = candidate.IsConclusive,
                 Color = dot.Color,
+                LogOdds = candidate.LogOdds,
                 PeakRelativeRise = candidate.PeakRelativeRise,
                 Area = candidate.Area,
                 Plane = candidate.Plane,
                 PositionPx = dot.PositionPx,
                 MayBeContent = candidate.MayBeContent,
                 WasAboveContent = _judge.IsContentKnown && !candidate.MayBeContent,
-            });
+            };
+            if (candidate.IsOnset || known.Frames == 0)
+                remembered.RememberPlace(view, candidate);
+            else
+                remembered.TakePlaceOf(known);
+            _memory.Add(remembered);
         }
     }
 }

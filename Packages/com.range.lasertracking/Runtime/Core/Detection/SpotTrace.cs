@@ -49,6 +49,17 @@ namespace LaserTracking.Detection
         /// <summary>Pixels of the whole picture per searched pixel along a side.</summary>
         public int Factor { get; private set; } = 1;
 
+        /// <summary>The searched pixel in the middle of what is kept. While the camera shakes, the searched picture is the steadied one.</summary>
+        public int CenterX { get; private set; }
+        public int CenterY { get; private set; }
+
+        /// <summary>Where a pixel of the whole picture lies in what is kept, column or row; it may lie outside.</summary>
+        public (int Column, int Row) Place(Vector2D px)
+        {
+            int column = (int)Math.Floor((px.X + 0.5) / Factor) - (int)(AtPx.X + 0.5) / Factor + Radius;
+            return (column, (int)Math.Floor((px.Y + 0.5) / Factor) - (int)(AtPx.Y + 0.5) / Factor + Radius);
+        }
+
         /// <summary>The light of a dot found in this frame covers the spot: nothing further is looked for there.</summary>
         public bool IsLit { get; private set; }
 
@@ -79,11 +90,14 @@ namespace LaserTracking.Detection
         }
 
         /// <summary>Keeps what the plane's tile at the spot let through.</summary>
-        internal void SetTile(DetectionPlane plane, TileGrid tiles, ReadOnlySpan<int> examined, int floor, int factor)
+        internal void SetTile(DetectionPlane plane, TileGrid tiles, ReadOnlySpan<int> examined, int floor, in FrameView view, int factor)
         {
-            int column = (int)(AtPx.X + 0.5) / factor / TileGrid.Size, row = (int)(AtPx.Y + 0.5) / factor / TileGrid.Size;
-            if (column >= tiles.Columns || row >= tiles.Rows)
+            CenterX = (int)(AtPx.X + 0.5) / factor - view.ShiftX;
+            CenterY = (int)(AtPx.Y + 0.5) / factor - view.ShiftY;
+            Factor = factor;
+            if (CenterX < 0 || CenterY < 0 || CenterX >= view.Width || CenterY >= view.Height)
                 return;
+            int column = CenterX / TileGrid.Size, row = CenterY / TileGrid.Size;
             int tile = row * tiles.Columns + column;
             ref SpotPlane of = ref plane == DetectionPlane.Smallest ? ref _smallest : ref _largest;
             of.TileOnset = tiles.Onset(tile);
@@ -94,16 +108,14 @@ namespace LaserTracking.Detection
         }
 
         /// <summary>Keeps the pictures around the spot, before the detector turns to the next frame.</summary>
-        internal void Look(in FrameView view, int factor, int contentLimit, DotMemory memory)
+        internal void Look(in FrameView view, int contentLimit, DotMemory memory)
         {
-            int centerX = (int)(AtPx.X + 0.5) / factor, centerY = (int)(AtPx.Y + 0.5) / factor;
-            Factor = factor;
             ContentLimit = contentLimit;
-            IsLit = memory.IsLit(centerX, centerY);
+            IsLit = memory.IsLit(CenterX, CenterY);
             IsSearched = true;
             for (int i = 0; i < _now.Length; i++)
             {
-                int x = centerX - Radius + i % Side, y = centerY - Radius + i / Side;
+                int x = CenterX - Radius + i % Side, y = CenterY - Radius + i / Side;
                 bool isInside = x >= 0 && y >= 0 && x < view.Width && y < view.Height;
                 int at = isInside ? y * view.Width + x : 0;
                 _now[i] = isInside ? view.Now[at] : 0;
@@ -115,22 +127,22 @@ namespace LaserTracking.Detection
                 }
             }
 
-            FindPeak(view, DetectionPlane.Smallest, centerX, centerY, ref _smallest);
-            FindPeak(view, DetectionPlane.Largest, centerX, centerY, ref _largest);
+            FindPeak(view, DetectionPlane.Smallest, ref _smallest);
+            FindPeak(view, DetectionPlane.Largest, ref _largest);
         }
 
-        private void FindPeak(in FrameView view, DetectionPlane plane, int centerX, int centerY, ref SpotPlane of)
+        private void FindPeak(in FrameView view, DetectionPlane plane, ref SpotPlane of)
         {
             int best = -1;
-            for (int y = Math.Max(0, centerY - PeakReach); y <= Math.Min(view.Height - 1, centerY + PeakReach); y++)
+            for (int y = Math.Max(0, CenterY - PeakReach); y <= Math.Min(view.Height - 1, CenterY + PeakReach); y++)
             {
-                for (int x = Math.Max(0, centerX - PeakReach); x <= Math.Min(view.Width - 1, centerX + PeakReach); x++)
+                for (int x = Math.Max(0, CenterX - PeakReach); x <= Math.Min(view.Width - 1, CenterX + PeakReach); x++)
                 {
                     int i = y * view.Width + x, rise = view.RelativeRise(i, plane);
                     if (rise <= best)
                         continue;
                     best = rise;
-                    of.PeakPx = new Vector2D(x * Factor + (Factor - 1) * 0.5, y * Factor + (Factor - 1) * 0.5);
+                    of.PeakPx = new Vector2D((x + view.ShiftX) * Factor + (Factor - 1) * 0.5, (y + view.ShiftY) * Factor + (Factor - 1) * 0.5);
                     of.Level = FrameView.Level(view.Now[i], plane);
                     of.Envelope = view.Envelope(i, plane);
                     of.Rise = rise / 255.0;

@@ -42,7 +42,7 @@ namespace LaserTracking.Imaging
                         Gray8ToBgra(row, bgra, source.Width);
                         break;
                     default:
-                        Buffer.MemoryCopy(row, bgra, target.Stride, target.Stride);
+                        Buffer.MemoryCopy(row, bgra, target.Stride, 4L * source.Width);
                         break;
                 }
             }

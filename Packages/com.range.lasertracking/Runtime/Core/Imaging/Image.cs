@@ -31,7 +31,7 @@ namespace LaserTracking.Imaging
         /// <summary>Mid-exposure time on the device's clock, in microseconds.</summary>
         public long TimeUs { get; set; }
 
-        /// <summary>First byte of the top row, aligned to 64 bytes. Valid until the next <see cref="Reset"/> or <see cref="Dispose"/>.</summary>
+        /// <summary>First byte of the top row, aligned to 64 bytes. Valid until the next <see cref="Reset(PixelFormat, int, int, long)"/> or <see cref="Dispose"/>.</summary>
         public byte* Pixels { get; private set; }
 
         /// <summary>Size of the picture in bytes, over all planes.</summary>
@@ -75,11 +75,19 @@ namespace LaserTracking.Imaging
 
         /// <summary>Makes room for a picture of this shape, rows without padding; the content is undefined until written.</summary>
         /// <exception cref="ArgumentException">The format cannot have this size, or it is over 2 GiB.</exception>
-        public void Reset(PixelFormat format, int width, int height, long timeUs)
+        public void Reset(PixelFormat format, int width, int height, long timeUs) => Reset(format, width, height, timeUs, TightStride(format, width));
+
+        /// <summary>The same with rows that are padded, as some cameras deliver them; stride in bytes, that of the chroma plane too.</summary>
+        /// <exception cref="ArgumentException">The format cannot have this size or stride, or it is over 2 GiB.</exception>
+        public void Reset(PixelFormat format, int width, int height, long timeUs, int stride)
         {
             long size = TightSize(format, width, height);
             if (size <= 0 || size > int.MaxValue - Alignment)
                 throw new ArgumentException($"no picture of format {format} can be {width}×{height}");
+            int tight = TightStride(format, width);
+            size = size / tight * stride;
+            if (stride < tight || size > int.MaxValue - Alignment || (format == PixelFormat.Bgra32 && stride % 4 != 0))
+                throw new ArgumentException($"no picture of format {format}, {width}×{height}, can have rows of {stride} bytes");
             if (size > _capacity)
             {
                 Free();
@@ -92,7 +100,7 @@ namespace LaserTracking.Imaging
             Format = format;
             Width = width;
             Height = height;
-            Stride = TightStride(format, width);
+            Stride = stride;
             SizeBytes = (int)size;
             TimeUs = timeUs;
         }
@@ -113,7 +121,7 @@ namespace LaserTracking.Imaging
                 return;
             }
 
-            Reset(other.Format, other.Width, other.Height, other.TimeUs);
+            Reset(other.Format, other.Width, other.Height, other.TimeUs, other.Stride);
             other.Bytes.CopyTo(Bytes);
         }
 

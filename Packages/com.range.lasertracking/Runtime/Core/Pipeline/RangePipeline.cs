@@ -94,14 +94,14 @@ namespace LaserTracking.Pipeline
 
             _frames++;
             _lastTimeUs = frame.TimeUs;
-            // Both detectors look at colour: a frame with infrared alone shows them nothing.
-            bool hasPicture = frame.Color.IsPresent;
+            _detections.Begin(frame.Index, frame.TimeUs);
+            _detector.Process(frame, _detections);
+
+            // Which pictures a frame must hold is the detector's matter: without them it names no picture.
+            bool hasPicture = _detections.ImageWidthPx > 0;
             if (!hasPicture)
                 _dropped++;
             _health.CheckFrame(frame, hasPicture);
-
-            _detections.Begin(frame.Index, frame.TimeUs);
-            _detector.Process(frame, _detections);
             if (hasPicture)
                 _tracker.Process(_detections);
             else

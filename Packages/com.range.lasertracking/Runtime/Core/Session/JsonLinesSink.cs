@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using LaserTracking.Detection;
 
 namespace LaserTracking.Session
 {
@@ -35,6 +36,14 @@ namespace LaserTracking.Session
             _types = types;
             _queue = new LineQueue(Math.Max(maximumHeldBytes, 1024));
         }
+
+        /// <summary>
+        /// Leaves out the rejected candidates that every moving edge makes by the hundred: too faint, too small or not compact. Set before Begin.
+        /// </summary>
+        public bool SkipsOrdinaryRejected { get; set; }
+
+        private static bool IsOrdinary(RejectionReason reason) =>
+            reason == RejectionReason.TooFaint || reason == RejectionReason.TooSmall || reason == RejectionReason.NotCompact;
 
         private enum State
         {
@@ -81,7 +90,7 @@ namespace LaserTracking.Session
 
         public void OnRejected(in RejectedEvent rejected)
         {
-            if (!Wants(EventTypes.Rejected))
+            if (!Wants(EventTypes.Rejected) || (SkipsOrdinaryRejected && IsOrdinary(rejected.Candidate.Reason)))
                 return;
             EventLines.Rejected(_json, rejected);
             if (!Hold(rejected.TimeUs, EventTypes.Rejected))

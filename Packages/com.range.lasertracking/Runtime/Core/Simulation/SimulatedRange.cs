@@ -22,6 +22,7 @@ namespace LaserTracking.Simulation
         private readonly FrameTiming _depthTiming;
         private readonly PictureAssets _assets;
         private readonly DepthCameraGeometry? _depthGeometry;
+        private readonly ColorCameraGeometry? _infraredGeometry;
 
         /// <param name="scenario">Must not be changed afterwards.</param>
         /// <param name="scene">What the projector shows.</param>
@@ -48,6 +49,12 @@ namespace LaserTracking.Simulation
             _light = new LightSampler(scenario, _colorGeometry, _motions, colorTiming);
             _optics = new LaserOptics(scenario, _colorGeometry, _motions);
             _depthGeometry = depth.Enabled ? new DepthCameraGeometry(depth, scenario.Room, scene.ScreenSizeM) : null;
+            if (scenario.InfraredCamera.Enabled)
+            {
+                _infraredGeometry = InfraredPainter.Geometry(scenario, _colorGeometry, scene.ScreenSizeM);
+                InfraredMapping = InfraredMapping.OfPlane(new Homography((_colorGeometry.ScreenToImage * _infraredGeometry.ScreenToImage.Inverse).ToArray()));
+            }
+
             Calibration = new RangeCalibration(_colorGeometry.Screen, color.Width, color.Height, _depthGeometry?.HandCamera);
             Truth = TruthBuilder.Build(scenario, view, _plan, _motions, _light, _optics, _depthTiming);
             _assets = new PictureAssets(view, scenario.Projector);
@@ -62,10 +69,14 @@ namespace LaserTracking.Simulation
 
         public SimulationTruth Truth { get; }
 
-        /// <summary>A new stream of camera 0's frames from the beginning.</summary>
+        /// <summary>Exact, from infrared to colour pixels; null without an infrared camera.</summary>
+        public InfraredMapping? InfraredMapping { get; }
+
+        /// <summary>A new stream of camera 0's frames, with infrared where the scenario has it, from the beginning.</summary>
         public IFrameSource CreateColorSource() => new SimulatedColorSource(_scenario, _light,
             new CameraScene(_scenario, _colorGeometry, _assets, _light), new LaserPainter(_scenario, _plan, _light, _optics),
-            new SensorModel(_scenario.ColorCamera));
+            new SensorModel(_scenario.ColorCamera),
+            _infraredGeometry == null ? null : new InfraredPainter(_scenario, _colorGeometry, _infraredGeometry, _plan, _light));
 
         /// <summary>A new stream of camera 1's frames from the beginning.</summary>
         /// <exception cref="InvalidOperationException">The scenario has no camera 1.</exception>

@@ -176,7 +176,7 @@ namespace LaserTracking.Tracking
             }
 
             track.IsSeen = true;
-            if (!track.IsReported && (dot.IsConclusive || (track.OnsetCount >= 2 && dot.IsOnset && !dot.MayBeContent)))
+            if (!track.IsReported && dot.IsConclusive)
                 Report(ref track, detections.FrameIndex);
             if (track.IsReported && _dotCount < MaxTracks)
                 _dots[_dotCount++] = new TrackedDot(track.Id, dot);
@@ -222,15 +222,19 @@ namespace LaserTracking.Tracking
             {
                 ref DotTrack track = ref _tracks[i];
                 bool isWaiting = !track.IsReported;
-                if (isWaiting && !track.IsSeen && track.LastFrame == _previousFrame)
+                bool isOverdue = isWaiting && detections.FrameIndex - track.FirstFrame > _settings.MaxWaitFrames;
+                if (isWaiting && !isOverdue && !track.IsSeen && track.LastFrame == _previousFrame)
                 {
-                    double trace = NearestRejectedPx(detections, track.LastPx);
-                    if (trace > _settings.VanishRadiusPx * _scale && detections.ImageWidthPx > 0)
-                        Report(ref track, detections.FrameIndex);
-                    else
+                    double tracePx = NearestTracePx(detections, track.LastPx, out double glowPx);
+                    bool isGone = detections.ImageWidthPx > 0 && tracePx > _settings.VanishRadiusPx * _scale;
+                    if (!isGone)
                         isWaiting = !Drop(track, detections.FrameIndex - track.FirstFrame);
+                    else if (glowPx <= _settings.VanishRadiusPx * _scale)
+                        track.LastFrame = detections.FrameIndex;
+                    else
+                        Report(ref track, detections.FrameIndex);
                 }
-                else if (isWaiting && detections.FrameIndex - track.FirstFrame > _settings.MaxWaitFrames)
+                else if (isOverdue)
                 {
                     isWaiting = !Drop(track, detections.FrameIndex - track.FirstFrame);
                 }
@@ -248,15 +252,20 @@ namespace LaserTracking.Tracking
             return true;
         }
 
-        private static double NearestRejectedPx(Detections detections, Vector2D at)
+        /// <summary>Nearest candidate that says the light was none, and nearest one that is neither new nor going out: light that goes on, too weak to be a dot.</summary>
+        private static double NearestTracePx(Detections detections, Vector2D at, out double glowPx)
         {
-            double nearest = double.PositiveInfinity;
+            double nearest = glowPx = double.PositiveInfinity;
             foreach (RejectedCandidate candidate in detections.Rejected)
             {
                 // What grows dimmer is on its way out, and what is too faint is nothing.
-                bool isFading = candidate.Reason == RejectionReason.NotNew && candidate.Value < -0.2;
-                if (!isFading && candidate.Reason != RejectionReason.TooFaint && candidate.Reason != RejectionReason.TooSmall)
-                    nearest = Math.Min(nearest, (candidate.PositionPx - at).Length);
+                if (candidate.Reason == RejectionReason.TooFaint || candidate.Reason == RejectionReason.TooSmall)
+                    continue;
+                double distance = (candidate.PositionPx - at).Length;
+                if (candidate.Reason != RejectionReason.NotNew)
+                    nearest = Math.Min(nearest, distance);
+                else if (candidate.Value >= -0.2)
+                    glowPx = Math.Min(glowPx, distance);
             }
 
             return nearest;

@@ -3,6 +3,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
+using LaserTracking.Detection;
 using LaserTracking.Geometry;
 using NUnit.Framework;
 
@@ -10,6 +11,21 @@ namespace LaserTracking.Session
 {
     public sealed class JsonLinesSinkTests
     {
+        [TestCase(true, 1)]
+        [TestCase(false, 4)]
+        public void JsonLinesSink_OrdinaryRejected_AreSkippedOnRequest(bool skips, int lines)
+        {
+            using (var stream = new MemoryStream())
+            {
+                var sink = new JsonLinesSink(stream) { SkipsOrdinaryRejected = skips };
+                sink.Begin(new SessionHeader("1.0.0", new SessionInput[0], null, "shots", null));
+                foreach (RejectionReason reason in new[] { RejectionReason.TooFaint, RejectionReason.TooSmall, RejectionReason.NotCompact, RejectionReason.NotIsolated })
+                    sink.OnRejected(new RejectedEvent { Candidate = new RejectedCandidate { Reason = reason } });
+                sink.End(default);
+                Assert.That(Encoding.UTF8.GetString(stream.ToArray()).Split(new[] { "\"rejected\"" }, System.StringSplitOptions.None).Length - 1, Is.EqualTo(lines));
+            }
+        }
+
         private const string FullShot =
             "{\"type\":\"shot\",\"id\":7,\"frame\":412,\"first_frame\":411,\"last_frame\":413,\"time_us\":13733333,\"time_sigma_us\":16667," +
             "\"x_px\":301.42,\"y_px\":288.1,\"sigma_px\":0.11,\"cov_px\":[0.0121,0.0004,0.0121],\"peak\":255,\"area_px\":31," +

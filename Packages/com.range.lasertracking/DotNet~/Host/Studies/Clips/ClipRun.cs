@@ -29,7 +29,7 @@ namespace LaserTracking.Host.Studies.Clips
             {
                 // A late report speaks of an earlier frame.
                 Vector2D shift = _shiftsPx.ElementAt(System.Math.Max(0, _shiftsPx.Count - 1 - (shot.FrameIndex - shot.FirstFrameIndex)));
-                Reported.Add(new ReportedShot(shot.FrameIndex, shot.Dot.PositionPx - shift, shot.Dot.Color.ToString().ToLowerInvariant()));
+                Reported.Add(new ReportedShot(shot.FrameIndex, shot.Dot.PositionPx - shift, shot.Dot.Color.ToString().ToLowerInvariant(), shot.Dot.Confidence));
             }
 
             while (_shiftsPx.Count > 64)

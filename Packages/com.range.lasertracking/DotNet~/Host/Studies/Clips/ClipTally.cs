@@ -26,7 +26,7 @@ namespace LaserTracking.Host.Studies.Clips
                 ReportedShot reported = shots[i];
                 if (taken[i] < 0)
                 {
-                    _false.Add(FormattableString.Invariant($"{clip.File} frame {reported.Frame} at {reported.PositionPx.X:F0},{reported.PositionPx.Y:F0}"));
+                    _false.Add(FormattableString.Invariant($"{clip.File} frame {reported.Frame} at {reported.PositionPx.X:F0},{reported.PositionPx.Y:F0} ({reported.Confidence:F2})"));
                     continue;
                 }
 

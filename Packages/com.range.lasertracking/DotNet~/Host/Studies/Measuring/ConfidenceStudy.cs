@@ -111,21 +111,9 @@ namespace LaserTracking.Host.Studies.Measuring
         {
             MinRiseSigmas = 4,
             MinRise = 0.08,
-            MinCompactness = 0.5,
-            MinFreshness = 0.3,
-            MinFaintFreshness = 0.4,
+            MinLogOdds = -3,
             MaxRingShare = 0.12,
-            MaxFaintRingShare = 0.04,
-            MaxRingLevel = 0.5,
-            MaxFaintRingLevel = 0.3,
-            MaxVividRingLevel = 0.3,
             MaxMotionShare = 0.3,
-            MaxFaintMotionShare = 0.15,
-            MinBluntCoherence = 0.2,
-            MinStrength = 40,
-            MinFaintStrength = 50,
-            StrengthPerActivity = 10,
-            FaintStrengthPerActivity = 30,
         };
 
         private static void AddRows(StudyTable table, string name, List<JudgedDot> dots)

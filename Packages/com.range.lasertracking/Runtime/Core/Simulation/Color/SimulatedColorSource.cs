@@ -13,19 +13,21 @@ namespace LaserTracking.Simulation
         private readonly CameraScene _scene;
         private readonly LaserPainter _lasers;
         private readonly SensorModel _sensor;
+        private readonly InfraredPainter? _infrared;
         private readonly byte[] _rows;
         private readonly JpegEncoder? _encoder;
         private readonly JpegDecoder? _decoder;
         private readonly Image _raw = new Image();
         private int _next;
 
-        public SimulatedColorSource(SimulationScenario scenario, LightSampler light, CameraScene scene, LaserPainter lasers, SensorModel sensor)
+        public SimulatedColorSource(SimulationScenario scenario, LightSampler light, CameraScene scene, LaserPainter lasers, SensorModel sensor, InfraredPainter? infrared)
         {
             _scenario = scenario;
             _light = light;
             _scene = scene;
             _lasers = lasers;
             _sensor = sensor;
+            _infrared = infrared;
             ColorCameraSettings camera = scenario.ColorCamera;
             _rows = new byte[camera.Width * 8];
             if (camera.JpegQuality > 0)
@@ -53,6 +55,7 @@ namespace LaserTracking.Simulation
             image.Reset(camera.Format, camera.Width, camera.Height, frame.TimeUs);
             _scene.Prepare(index);
             _lasers.Paint(index, _scene);
+            _infrared?.Paint(index, frame.Infrared, frame.TimeUs);
             uint key = (uint)CounterRandom.Hash(_scenario.Seed, RandomStream.ColorNoise, _light.Timing.Exposure(index));
             fixed (ushort* signals = _scene.Signals, flickering = _scene.Flickering)
             fixed (byte* rows = _rows)

@@ -19,6 +19,8 @@ namespace LaserTracking.Simulation
 
         public ColorCameraSettings ColorCamera { get; } = new ColorCameraSettings();
 
+        public InfraredCameraSettings InfraredCamera { get; } = new InfraredCameraSettings();
+
         public DepthCameraSettings DepthCamera { get; } = new DepthCameraSettings();
 
         public ProjectorSettings Projector { get; } = new ProjectorSettings();
@@ -46,6 +48,7 @@ namespace LaserTracking.Simulation
             Seed = v.Integer("seed", Seed, 0, int.MaxValue);
             DurationS = v.Number("duration_s", DurationS, 0.1, 36000);
             v.Group("color_camera", ColorCamera.Visit);
+            v.Group("infrared_camera", InfraredCamera.Visit);
             v.Group("depth_camera", DepthCamera.Visit);
             v.Group("projector", Projector.Visit);
             v.Group("room", Room.Visit);

@@ -1,0 +1,108 @@
+using System;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>Measures a grown candidate and what happens around it.</summary>
+    internal static unsafe class FeatureMeasurer
+    {
+        /// <summary>Every second pixel of every second row is looked at.</summary>
+        private const int Step = 2;
+
+        /// <param name="view">The frame.</param>
+        /// <param name="candidate">Grown, with its colours measured.</param>
+        /// <param name="noise">Temporal noise, levels.</param>
+        /// <param name="scale">Working px per pixel of a picture 640 wide.</param>
+        /// <param name="contentLevel">Brightest of the projected picture, levels.</param>
+        /// <param name="radius">What "around" means, working px.</param>
+        /// <param name="features">One value for each <see cref="DotFeature"/>.</param>
+        public static void Measure(in FrameView view, in Candidate candidate, double noise, double scale, int contentLevel, int radius, Span<float> features)
+        {
+            double rise = candidate.PeakRise, area = candidate.Area / (scale * scale);
+            int seed = candidate.SeedY * view.Width + candidate.SeedX;
+            DetectionPlane other = candidate.Plane == DetectionPlane.Largest ? DetectionPlane.Smallest : DetectionPlane.Largest;
+            Set(features, DotFeature.LogRiseSigmas, Math.Log(rise / Math.Max(0.5, noise)));
+            Set(features, DotFeature.Rise, candidate.PeakRelativeRise / 255.0);
+            Set(features, DotFeature.LogArea, Math.Log(area));
+            Set(features, DotFeature.Compactness, candidate.Compactness);
+            Set(features, DotFeature.LogElongation, Math.Log(candidate.LongSigma / candidate.ShortSigma));
+            Set(features, DotFeature.RingShare, candidate.RingShare);
+            Set(features, DotFeature.Activity, candidate.Activity / rise);
+            Set(features, DotFeature.ActivityAround, candidate.ActivityAround / rise);
+            Set(features, DotFeature.Freshness, view.Change(seed, candidate.Plane) / rise);
+            Set(features, DotFeature.Vividness, candidate.Vividness);
+            Set(features, DotFeature.Coherence, Math.Abs(candidate.GreenCoherence));
+            Set(features, DotFeature.ContentExcess, (SurroundingsMeasurer.PeakLevel(view, candidate) - contentLevel) / 64.0);
+            Set(features, DotFeature.OtherRise, view.RelativeRise(seed, other) / 255.0);
+            Set(features, DotFeature.LogStrength, Math.Log(Math.Max(1, rise * Math.Sqrt(area))));
+            MeasureAround(view, candidate, noise, radius, features);
+        }
+
+        private static void MeasureAround(in FrameView view, in Candidate c, double noise, int radius, Span<float> features)
+        {
+            int size = Math.Max(c.Right - c.Left, c.Bottom - c.Top) + 1;
+            int inner = Math.Max(4, size / 2), near = inner + Math.Max(6, size / 2);
+            int threshold = Math.Max(c.PeakRise / 6, (int)(4 * noise) + 2), half = Math.Max(1, (c.PeakRelativeRise + 1) / 2);
+            int brighter = 0, darker = 0, risen = 0, count = 0, darkerRing = 0, ring = 0;
+            long nowRing = 0, beforeRing = 0;
+            for (int y = Math.Max(0, c.Top - radius); y <= Math.Min(view.Height - 1, c.Bottom + radius); y += Step)
+            {
+                int dy = Math.Max(0, Math.Max(c.Top - y, y - c.Bottom));
+                for (int x = Math.Max(0, c.Left - radius); x <= Math.Min(view.Width - 1, c.Right + radius); x += Step)
+                {
+                    int distance = Math.Max(dy, Math.Max(c.Left - x, x - c.Right));
+                    if (distance <= inner)
+                        continue;
+                    int i = y * view.Width + x;
+                    int change = view.Change(i, c.Plane);
+                    count++;
+                    if (change > threshold)
+                        brighter++;
+                    else if (change < -threshold)
+                        darker++;
+                    if (view.RelativeRise(i, c.Plane) >= half)
+                        risen++;
+                    if (distance > near)
+                        continue;
+                    ring++;
+                    if (change < -threshold)
+                        darkerRing++;
+                    nowRing += FrameView.Level(view.Now[i], c.Plane);
+                    beforeRing += FrameView.Level(view.Before[i], c.Plane);
+                }
+            }
+
+            MeasureInside(view, c, half, out double nowInside, out double beforeInside);
+            Set(features, DotFeature.BrightenedAround, Share(brighter, count));
+            Set(features, DotFeature.DarkenedAround, Share(darker, count));
+            Set(features, DotFeature.DarkenedRing, Share(darkerRing, ring));
+            Set(features, DotFeature.RisenAround, Share(risen, count));
+            Set(features, DotFeature.ContrastNow, ring == 0 ? 0 : (nowInside - nowRing / (double)ring) / c.PeakRise);
+            Set(features, DotFeature.ContrastBefore, ring == 0 ? 0 : (beforeInside - beforeRing / (double)ring) / c.PeakRise);
+        }
+
+        private static void MeasureInside(in FrameView view, in Candidate c, int half, out double now, out double before)
+        {
+            long nowSum = 0, beforeSum = 0;
+            int count = 0;
+            for (int y = c.Top; y <= c.Bottom; y++)
+            {
+                for (int x = c.Left; x <= c.Right; x++)
+                {
+                    int i = y * view.Width + x;
+                    if (view.RelativeRise(i, c.Plane) < half)
+                        continue;
+                    count++;
+                    nowSum += FrameView.Level(view.Now[i], c.Plane);
+                    beforeSum += FrameView.Level(view.Before[i], c.Plane);
+                }
+            }
+
+            now = nowSum / (double)Math.Max(1, count);
+            before = beforeSum / (double)Math.Max(1, count);
+        }
+
+        private static double Share(int part, int of) => of == 0 ? 0 : part / (double)of;
+
+        private static void Set(Span<float> features, DotFeature feature, double value) => features[(int)feature] = (float)value;
+    }
+}

@@ -1,0 +1,105 @@
+using System;
+
+namespace LaserTracking.Geometry
+{
+    /// <summary>
+    /// Where in the colour picture lies what the infrared picture shows, for things on the screen. Both lenses are corrected first
+    /// where they are known; what remains between two views of a plane is a homography. Immutable, allocates nothing when it maps.
+    /// </summary>
+    public sealed class InfraredMapping
+    {
+        private readonly LensCamera? _infrared;
+        private readonly LensCamera? _color;
+        private readonly Homography _homography;
+
+        private InfraredMapping(LensCamera? infrared, Homography homography, LensCamera? color, double sigmaPx)
+        {
+            _infrared = infrared;
+            _homography = homography;
+            _color = color;
+            SigmaPx = sigmaPx;
+        }
+
+        /// <summary>How far off it may be, one standard deviation along each axis, colour px of a picture 1920 wide.</summary>
+        public double SigmaPx { get; }
+
+        /// <summary>Size of the pictures that it was calibrated for; true for any when it knows none.</summary>
+        public bool IsFor(int infraredWidth, int infraredHeight, int colorWidth, int colorHeight) => IsOf(_infrared, infraredWidth, infraredHeight) && IsOf(_color, colorWidth, colorHeight);
+
+        /// <summary>
+        /// Nothing is known: both pictures are taken to show the same field of view, edge to edge, as the published module does. Off by
+        /// as much as the cameras differ.
+        /// </summary>
+        public static InfraredMapping EqualFields(int infraredWidth, int infraredHeight, int colorWidth, int colorHeight)
+        {
+            double x = (double)colorWidth / infraredWidth, y = (double)colorHeight / infraredHeight;
+            return new InfraredMapping(null, new Homography(new[] { x, 0, 0.5 * x - 0.5, 0, y, 0.5 * y - 0.5, 0, 0, 1 }), null, 6);
+        }
+
+        /// <summary>Points on the screen were marked in both pictures; the lenses stay uncorrected.</summary>
+        public static InfraredMapping OfPlane(Homography infraredPxToColorPx) => new InfraredMapping(null, infraredPxToColorPx, null, 2);
+
+        /// <summary>Both cameras are known, the screen is taken to face the colour camera at this distance.</summary>
+        /// <param name="infrared">The infrared camera.</param>
+        /// <param name="color">The colour camera.</param>
+        /// <param name="infraredToColorMm">X_color = R X_infrared + T, mm.</param>
+        /// <param name="distanceMm">From the colour camera to the screen, above zero. With cameras 32 mm apart a tenth too far is 1 px at 2.5 m.</param>
+        public static InfraredMapping OfCameras(LensCamera infrared, LensCamera color, Pose infraredToColorMm, double distanceMm)
+        {
+            if (!(distanceMm > 0) || double.IsInfinity(distanceMm))
+                throw new ArgumentException("the distance to the screen must be above zero", nameof(distanceMm));
+            return OnPlane(infrared, color, infraredToColorMm, new Vector3D(0, 0, 1), distanceMm);
+        }
+
+        /// <summary>Both cameras are known, and where the screen lies in the colour picture: that gives its plane.</summary>
+        /// <exception cref="ArgumentException">The screen's corners lie outside what the colour camera's lens model covers.</exception>
+        public static InfraredMapping OnScreen(LensCamera infrared, LensCamera color, Pose infraredToColorMm, ScreenGeometry screen)
+        {
+            Vector2D size = screen.ScreenSizeM * 1000;
+            Vector2D[] corners = { new Vector2D(0, 0), new Vector2D(size.X, 0), size, new Vector2D(0, size.Y) };
+            Vector2D[] rays = screen.CornersPx;
+            for (int i = 0; i < rays.Length; i++)
+            {
+                if (!color.TryUnproject(rays[i], out rays[i]))
+                    throw new ArgumentException("corner " + i + " of the screen lies outside what the colour camera's lens model covers", nameof(screen));
+            }
+
+            if (!HomographyEstimator.TryFit(corners, rays, out Homography screenToRay, out string reason))
+                throw new ArgumentException(reason, nameof(screen));
+
+            // The columns are the screen's axes and its origin in camera space, up to scale (Zhang 2000).
+            double[] h = screenToRay.ToArray();
+            Vector3D x = new Vector3D(h[0], h[3], h[6]), y = new Vector3D(h[1], h[4], h[7]), origin = new Vector3D(h[2], h[5], h[8]);
+            double scale = 2 / (x.Length + y.Length);
+            Vector3D normal = Vector3D.Cross(x, y).Normalized;
+            return OnPlane(infrared, color, infraredToColorMm, normal, Vector3D.Dot(normal, origin) * scale);
+        }
+
+        /// <summary>False where a lens model does not reach or the plane is not seen.</summary>
+        public bool TryMap(Vector2D infraredPx, out Vector2D colorPx)
+        {
+            colorPx = infraredPx;
+            if (_infrared != null && !_infrared.TryUnproject(infraredPx, out colorPx))
+                return false;
+            colorPx = _homography.Map(colorPx);
+            return colorPx.IsFinite && (_color == null || _color.TryProject(colorPx, out colorPx));
+        }
+
+        /// <summary>The plane n·X = d of colour camera space; between the cameras' rays it makes R + T (Rᵀn)ᵀ / (d − n·T).</summary>
+        private static InfraredMapping OnPlane(LensCamera infrared, LensCamera color, Pose pose, Vector3D normal, double distanceMm)
+        {
+            Vector3D x = pose.TransformDirection(new Vector3D(1, 0, 0)), y = pose.TransformDirection(new Vector3D(0, 1, 0)), z = pose.TransformDirection(new Vector3D(0, 0, 1));
+            Vector3D t = pose.Position * (1 / (distanceMm - Vector3D.Dot(normal, pose.Position)));
+            double nx = Vector3D.Dot(normal, x), ny = Vector3D.Dot(normal, y), nz = Vector3D.Dot(normal, z);
+            var homography = new Homography(new[]
+            {
+                x.X + t.X * nx, y.X + t.X * ny, z.X + t.X * nz,
+                x.Y + t.Y * nx, y.Y + t.Y * ny, z.Y + t.Y * nz,
+                x.Z + t.Z * nx, y.Z + t.Z * ny, z.Z + t.Z * nz,
+            });
+            return new InfraredMapping(infrared, homography, color, 0.4);
+        }
+
+        private static bool IsOf(LensCamera? camera, int width, int height) => camera == null || (camera.Pinhole.Width == width && camera.Pinhole.Height == height);
+    }
+}
