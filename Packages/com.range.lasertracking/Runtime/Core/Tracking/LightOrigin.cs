@@ -19,6 +19,9 @@ namespace LaserTracking.Tracking
         /// <summary>No weapon sweeps its dot faster, px at 640 per second: 4 m/s on a screen 3.2 m wide.</summary>
         private const double MaxSweepPxPerS = 800;
 
+        /// <summary>Of shorter streaks, px at 640, the ends are no surer than the middle: a faint first light is ragged.</summary>
+        private const double MinShiftedPx = 8;
+
         /// <summary>Error of a streak's end through its length.</summary>
         private const double EndError = 0.2;
 
@@ -79,8 +82,11 @@ namespace LaserTracking.Tracking
                 if (dot.StreakPx.LengthSquared > 0 && wayPx.LengthSquared > 0)
                 {
                     dot.StreakPx = Vector2D.Dot(way, wayPx) < 0 ? way * -1 : way;
-                    dot.PositionPx -= dot.StreakPx * 0.5;
-                    reach = before + EndError * length;
+                    if (length >= MinShiftedPx * scale)
+                    {
+                        dot.PositionPx -= dot.StreakPx * 0.5;
+                        reach = before + EndError * length;
+                    }
                 }
 
                 covariance = Add(covariance, way * (1 / length), reach / Radius90, Swerve * reach);
