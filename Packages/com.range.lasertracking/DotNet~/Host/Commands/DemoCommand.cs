@@ -10,6 +10,7 @@ using LaserTracking.Imaging;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
 using LaserTracking.Simulation;
+using LaserTracking.Tracking;
 
 namespace LaserTracking.Host.Commands
 {
@@ -46,11 +47,11 @@ namespace LaserTracking.Host.Commands
                 HandClockOffsetUs = range.Truth.ColorClockUs(0) - range.Truth.DepthClockUs(0),
                 Calibration = range.Calibration,
                 CalibrationName = "simulation",
+                CameraTiming = new CameraTimingSettings { ExposureUs = scenario.ColorCamera.ExposureUs, RowUs = scenario.ColorCamera.RollingShutterRowUs },
                 Scene = scene,
                 SceneTimeZeroUs = range.Truth.ColorClockUs(0),
                 Inputs = new[] { new SessionInput(InputName, InputHash.Of(scenarioFile).Sha256) },
                 Seed = scenario.Seed,
-                ExposureUs = scenario.ColorCamera.ExposureUs,
             };
             var outputs = new SessionOutputs(Path.Combine(folder, "events.jsonl"), null, folder) { BackgroundPng = DrawPicture(range) };
             int exitCode = outputs.Run(plan, "Demo session", interrupted);

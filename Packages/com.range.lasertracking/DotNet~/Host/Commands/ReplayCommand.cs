@@ -10,6 +10,7 @@ using LaserTracking.Host.Sessions;
 using LaserTracking.Host.Sources;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
+using LaserTracking.Tracking;
 
 namespace LaserTracking.Host.Commands
 {
@@ -28,12 +29,14 @@ namespace LaserTracking.Host.Commands
             var rejected = new Option<string>("--rejected") { HelpName = "WHICH", Description = "Rejected candidates among the events: all (default); notable: without those that moving edges make, too faint, too small or not compact; none.", DefaultValueFactory = _ => "all" };
             var dots = new Option<string?>("--dots") { HelpName = "FILE", Description = "Writes every tracked dot in every frame there." };
             var report = new Option<string?>("--report") { HelpName = "DIR", Description = "Writes report.html into this folder." };
-            var exposure = new Option<double>("--exposure-us") { HelpName = "US", Description = "The camera's exposure, for what is said about the picture." };
             var paced = new Option<bool>("--paced") { Description = "Runs at the recording's own speed." };
-            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, detector, events, rejected, dots, report, exposure, paced };
+            var exposure = new Option<double>("--exposure-us") { HelpName = "US", Description = "The camera's shutter, microseconds: narrows the uncertainty of time and place, and what is said about the picture." };
+            var row = new Option<double>("--row-us") { HelpName = "US", Description = "Rolling shutter: delay from one row to the next, microseconds." };
+            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, detector, events, rejected, dots, report, paced, exposure, row };
             command.SetAction((parsed, interrupted) =>
             {
                 RangeSession.CreateDetector(parsed.GetValue(detector)!);
+                CameraTimingSettings timing = Timing(parsed.GetValue(exposure), parsed.GetValue(row));
                 RejectedLines which = SessionOutputs.ParseRejected(parsed.GetValue(rejected)!);
                 string name = parsed.GetValue(input)!;
                 string? handName = parsed.GetValue(hand), calibrationName = parsed.GetValue(calibration), sceneName = parsed.GetValue(scene);
@@ -64,13 +67,28 @@ namespace LaserTracking.Host.Commands
                     InfraredMapping = infraredMapping,
                     InfraredProblem = infraredProblem,
                     Inputs = inputs,
-                    ExposureUs = parsed.GetValue(exposure) is >= 0 and <= 1e7 and var us ? us : throw new InputException("--exposure-us", "is no exposure", "give microseconds from 0 to 10000000"),
+                    CameraTiming = timing,
                     IsPaced = parsed.GetValue(paced),
                 };
                 var outputs = new SessionOutputs(parsed.GetValue(events), parsed.GetValue(dots), parsed.GetValue(report)) { Rejected = which };
                 return Task.FromResult(outputs.Run(plan, "Replay of " + name, interrupted));
             });
             return command;
+        }
+
+        private static CameraTimingSettings Timing(double exposureUs, double rowUs)
+        {
+            var timing = new CameraTimingSettings { ExposureUs = exposureUs, RowUs = rowUs };
+            try
+            {
+                timing.Validate();
+            }
+            catch (ArgumentException problem)
+            {
+                throw new InputException("--exposure-us, --row-us", problem.Message, "give the camera's values in microseconds, or leave them out");
+            }
+
+            return timing;
         }
     }
 }

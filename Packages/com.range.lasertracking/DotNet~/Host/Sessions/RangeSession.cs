@@ -46,8 +46,9 @@ namespace LaserTracking.Host.Sessions
                 new PipelineSettings
                 {
                     SceneTimeZeroUs = plan.SceneTimeZeroUs,
-                    Monitor = new PictureMonitorSettings { ExposureUs = plan.ExposureUs },
-                    Advisor = new AdvisorSettings { ExposureUs = plan.ExposureUs },
+                    CameraTiming = plan.CameraTiming,
+                    Monitor = new PictureMonitorSettings { ExposureUs = plan.CameraTiming.ExposureUs },
+                    Advisor = new AdvisorSettings { ExposureUs = plan.CameraTiming.ExposureUs },
                 });
             pipeline.Begin(new SessionHeader(Version, plan.Inputs, plan.CalibrationName, plan.Detector, plan.Seed));
             ReportOtherSizes(pipeline, plan);

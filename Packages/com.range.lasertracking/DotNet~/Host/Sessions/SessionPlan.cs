@@ -4,6 +4,7 @@ using LaserTracking.Capture;
 using LaserTracking.Geometry;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
+using LaserTracking.Tracking;
 
 namespace LaserTracking.Host.Sessions
 {
@@ -37,10 +38,10 @@ namespace LaserTracking.Host.Sessions
         /// <summary>See PipelineSettings.SceneTimeZeroUs.</summary>
         public long? SceneTimeZeroUs { get; init; }
 
-        /// <summary>Exposure of camera 0, µs; 0: not known.</summary>
-        public double ExposureUs { get; init; }
-
         public long HandClockOffsetUs { get; init; }
+
+        /// <summary>Shutter and rolling shutter of the screen camera.</summary>
+        public CameraTimingSettings CameraTiming { get; init; } = new();
 
         /// <summary>Wait so that frames come at their own times.</summary>
         public bool IsPaced { get; init; }

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using LaserTracking.Host.Studies.Clips;
+using LaserTracking.Host.Studies.Measuring;
 using LaserTracking.Host.Studies.Simulated;
 using LaserTracking.Host.Studies.Dual;
 
@@ -14,6 +15,11 @@ namespace LaserTracking.Host.Studies
             new AmbientStudy(),
             new AdvisorStudy(),
             new PastedDotsStudy(),
+            new PositionStudy(),
+            new EllipseStudy(),
+            new ConfidenceStudy(),
+            new TimingStudy(),
+            new ColorStudy(),
             new StaticStudy(),
             new FrameRateStudy(),
         };

@@ -34,6 +34,9 @@ namespace LaserTracking.Detection
         /// <summary>Width of the picture in which they were found, px; 0 when there was none. The scale for distances.</summary>
         public int ImageWidthPx { get; set; }
 
+        /// <summary>Height of the picture, px; 0 when there was none or nobody told: then all rows count as exposed at once.</summary>
+        public int ImageHeightPx { get; set; }
+
         /// <summary>Share of the searched area, 0…1, in which a dot of ordinary strength could not be seen in this frame.</summary>
         public double BlindShare { get; set; }
 
@@ -47,6 +50,7 @@ namespace LaserTracking.Detection
             _dotCount = _rejectedCount = OverflowCount = 0;
             BlindShare = SaturatedShare = 0;
             ImageWidthPx = 0;
+            ImageHeightPx = 0;
         }
 
         public void Add(in Dot dot)

@@ -8,6 +8,9 @@ namespace LaserTracking.Detection
         public Vector2D PositionPx;
         public Covariance2D CovariancePx;
 
+        /// <summary>Second moments of the light above a fifth of its peak, px²: the dot's shape.</summary>
+        public Covariance2D ShapePx;
+
         /// <summary>Brightest channel value in the dot, 0…255.</summary>
         public int Peak;
 
@@ -16,12 +19,12 @@ namespace LaserTracking.Detection
 
         public LaserColor Color;
 
-        /// <summary>How sure the detector is that this is a laser, 0…1: the sum of the factors, not yet calibrated as a probability.</summary>
+        /// <summary>Probability that this is a laser, 0…1: the sum of the factors. The published detector's is its own score.</summary>
         public double Confidence;
 
         public ConfidenceFactors Factors;
 
-        /// <summary>From the end where the light began to where it ended within this frame; zero for a round dot.</summary>
+        /// <summary>From one end to the other of the light in this frame; zero for a round dot. Of a shot that a later frame told more of: from where it began.</summary>
         public Vector2D StreakPx;
 
         /// <summary>

@@ -5,141 +5,179 @@ using LaserTracking.Imaging;
 namespace LaserTracking.Detection
 {
     /// <summary>
-    /// Measures a dot on the full-resolution frame: centroid of the light above its background with a soft threshold of a fifth of
-    /// the peak, which survives saturation; its covariance from noise through amplitude; the streak from the light's second moments.
+    /// Measures a dot on the full-resolution frame. A centroid with a soft threshold of a fifth of the peak gives place and shape;
+    /// where noise or speckle would hurt it, a centroid under a window of that shape, iterated to its fixed point, replaces it. The
+    /// window's width follows from noise and speckle, the covariance from passing every pixel's noise through the estimate.
     /// </summary>
-    internal sealed unsafe class DotLocator
+    internal sealed class DotLocator
     {
-        private const int MaxSide = 160;
         private const double SoftThreshold = 0.2;
 
-        /// <summary>What no amount of light removes: pixel response, speckle, compression. Standard deviation, px.</summary>
-        private const double FloorPx = 0.05;
+        /// <summary>Variance of a Gaussian through its variance above a fifth of its height: ∫(e^-u − t)du / ∫(e^-u − t)u du, t = 0.2.</summary>
+        private const double ShapeGain = 2.18;
 
-        private readonly uint[] _row = new uint[MaxSide];
-        private readonly int[] _light = new int[MaxSide * MaxSide];
-        private readonly int[] _histogram = new int[2048];
+        /// <summary>What no amount of light removes: unequal pixels, compression. Standard deviation, px.</summary>
+        private const double FloorPx = 0.03;
+
+        /// <summary>Speckle of an ordinary laser as cameras encode it, and the number of pixels that this expectation is worth.</summary>
+        private const double UsualSpeckle = 0.12, UsualSpeckleWeight = 4;
+
+        /// <summary>The window must promise this much less error: real dots are lopsided, and the centre of all their light is what others call the dot's place.</summary>
+        private const double MinGain = 0.7;
+
+        private const int MaxSteps = 8;
+
+        private readonly DotWindow _window = new DotWindow();
+        private double _threshold, _sum, _x, _y, _xx, _xy, _yy;
 
         /// <summary>Fills position, covariance, peak, area and streak of the dot.</summary>
         public void Locate(Image image, in FrameView view, int factor, in Candidate candidate, double noise, ref Dot dot)
         {
-            int margin = 3 + (Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top) + 1) / 2;
-            int left = candidate.Left + view.ShiftX, right = candidate.Right + view.ShiftX;
-            int top = candidate.Top + view.ShiftY, bottom = candidate.Bottom + view.ShiftY;
-            int x0 = Math.Max(0, (left - margin) * factor), x1 = Math.Min(image.Width, (right + 1 + margin) * factor);
-            int y0 = Math.Max(0, (top - margin) * factor), y1 = Math.Min(image.Height, (bottom + 1 + margin) * factor);
-            x1 = Math.Min(x1, x0 + MaxSide);
-            y1 = Math.Min(y1, y0 + MaxSide);
-            int width = x1 - x0, height = y1 - y0;
-            int peakLevel = 0;
-            fixed (uint* row = _row)
-            {
-                for (int y = 0; y < height; y++)
-                {
-                    PixelRow.ToBgra(image, y0 + y, x0, x1, row);
-                    int row0 = Math.Max(0, Math.Min(view.Height - 1, (y0 + y) / factor - view.ShiftY)) * view.Width;
-                    for (int x = 0; x < width; x++)
-                    {
-                        uint pixel = row[x];
-                        peakLevel = Math.Max(peakLevel, FrameView.Level(pixel, DetectionPlane.Largest));
-                        int light = FrameView.Level(pixel, candidate.Plane);
-                        if (candidate.IsAboveContent)
-                            light = Math.Max(0, light - candidate.ContentLevel);
-                        else if (candidate.IsOnset)
-                            light -= FrameView.Level(view.Before[row0 + Math.Max(0, Math.Min(view.Width - 1, (x0 + x) / factor - view.ShiftX))], candidate.Plane);
-                        _light[y * width + x] = light;
-                    }
-                }
-            }
-
-            int background = BorderMedian(width, height);
-            int peak = 0;
-            int coreLeft = left * factor - x0, coreRight = (right + 1) * factor - x0;
-            int coreTop = top * factor - y0, coreBottom = (bottom + 1) * factor - y0;
-            for (int y = Math.Max(0, coreTop); y < Math.Min(height, coreBottom); y++)
-            {
-                for (int x = Math.Max(0, coreLeft); x < Math.Min(width, coreRight); x++)
-                    peak = Math.Max(peak, _light[y * width + x] - background);
-            }
-
-            dot.Peak = peakLevel;
-            Moments(width, height, background, peak, x0, y0, noise, view, candidate, factor, ref dot);
-        }
-
-        private void Moments(int width, int height, int background, int peak, int x0, int y0, double noise, in FrameView view, in Candidate candidate, int factor, ref Dot dot)
-        {
-            double threshold = SoftThreshold * peak, sum = 0, sumX = 0, sumY = 0, sumXX = 0, sumYY = 0, sumXY = 0;
-            int area = 0;
-            for (int y = 0; y < height; y++)
-            {
-                for (int x = 0; x < width; x++)
-                {
-                    int light = _light[y * width + x] - background;
-                    if (2 * light >= peak)
-                        area++;
-                    double weight = light - threshold;
-                    if (weight <= 0)
-                        continue;
-                    sum += weight;
-                    sumX += weight * x;
-                    sumY += weight * y;
-                    sumXX += weight * x * x;
-                    sumYY += weight * y * y;
-                    sumXY += weight * x * y;
-                }
-            }
-
-            dot.AreaPx = area;
-            if (sum <= 0)
+            _window.Fill(image, view, factor, candidate, noise);
+            dot.Peak = _window.PeakLevel;
+            dot.AreaPx = SoftCentroid();
+            if (_sum <= 0)
             {
                 dot.PositionPx = new Vector2D((candidate.CenterX + view.ShiftX + 0.5) * factor - 0.5, (candidate.CenterY + view.ShiftY + 0.5) * factor - 0.5);
                 dot.CovariancePx = Covariance2D.Isotropic(factor);
                 return;
             }
 
-            double cx = sumX / sum, cy = sumY / sum;
-            double xx = sumXX / sum - cx * cx, yy = sumYY / sum - cy * cy, xy = sumXY / sum - cx * cy;
-            dot.PositionPx = new Vector2D(x0 + cx, y0 + cy);
-
-            // Noise enters by the pixels' leverage; half as much again for what the model leaves out.
-            double perPixel = noise * 1.5;
-            double leverage = perPixel * perPixel * area / (sum * sum);
-            dot.CovariancePx = new Covariance2D(FloorPx * FloorPx + leverage * xx, leverage * xy, FloorPx * FloorPx + leverage * yy);
-            double mean = (xx + yy) / 2, spread = Math.Sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
-            double shortVariance = Math.Max(0, mean - spread), longVariance = mean + spread;
-            if (longVariance > 4 * shortVariance && longVariance - shortVariance > 2)
-            {
-                // A moving dot smears over a line of uniform light: length² / 12 is what it adds to the variance.
-                double length = Math.Sqrt(12 * (longVariance - shortVariance));
-                double angle = 0.5 * Math.Atan2(2 * xy, xx - yy);
-                dot.StreakPx = new Vector2D(length * Math.Cos(angle), length * Math.Sin(angle));
-            }
+            var shape = new Covariance2D(ShapeGain * _xx + 0.05, ShapeGain * _xy, ShapeGain * _yy + 0.05);
+            dot.ShapePx = new Covariance2D(_xx, _xy, _yy);
+            Vector2D streak = DotStreak.From(dot.ShapePx, out bool isDistinct);
+            if (isDistinct)
+                dot.StreakPx = streak;
+            Refine(shape, ref dot);
         }
 
-        /// <summary>Median of the window's outermost pixels: what is left of the background there.</summary>
-        private int BorderMedian(int width, int height)
+        /// <summary>Centroid and moments of the light above the soft threshold, in window pixels. Gives the area at half of the peak.</summary>
+        private int SoftCentroid()
         {
-            Array.Clear(_histogram, 0, _histogram.Length);
-            int count = 0;
-            for (int y = 0; y < height; y++)
+            _threshold = Math.Max(SoftThreshold * _window.Peak, Math.Min(0.5 * _window.Peak, 3 * _window.Noise));
+            int area = 0;
+            _sum = _x = _y = _xx = _xy = _yy = 0;
+            for (int y = 0; y < _window.Height; y++)
             {
-                int step = y == 0 || y == height - 1 ? 1 : Math.Max(1, width - 1);
-                for (int x = 0; x < width; x += step)
+                for (int x = 0; x < _window.Width; x++)
                 {
-                    _histogram[_light[y * width + x] + 1024]++;
-                    count++;
+                    double light = _window.Light[y * _window.Width + x];
+                    if (2 * light >= _window.Peak)
+                        area++;
+                    double weight = light - _threshold;
+                    if (weight <= 0)
+                        continue;
+                    _sum += weight;
+                    _x += weight * x;
+                    _y += weight * y;
+                    _xx += weight * x * x;
+                    _xy += weight * x * y;
+                    _yy += weight * y * y;
                 }
             }
 
-            int bin = 0;
-            for (int below = 0; bin < _histogram.Length - 1; bin++)
+            if (_sum <= 0)
+                return area;
+            _x /= _sum;
+            _y /= _sum;
+            _xx = _xx / _sum - _x * _x;
+            _xy = _xy / _sum - _x * _y;
+            _yy = _yy / _sum - _y * _y;
+            return area;
+        }
+
+        /// <summary>
+        /// Iterates x ← x + (1 − V W⁻¹)⁻¹ (windowed centroid − x), V being the light's covariance under the window's slope: Newton's step for any
+        /// symmetric profile. For a Gaussian and W equal to its shape this reaches the bound (SExtractor's windowed positions).
+        /// </summary>
+        private void Refine(in Covariance2D shape, ref Dot dot)
+        {
+            double noise = _window.Noise, height = Math.Max(noise, _window.Peak);
+            double speckle = Speckle(shape);
+
+            // Widest for which noise and speckle together cost least: u²(u − 2) = (speckle · height / noise)², window = (u − 1) shape.
+            double ratio = speckle * height / noise, right = ratio * ratio, u = 2 + Math.Cbrt(right);
+            for (int i = 0; i < 12; i++)
+                u -= (u * u * (u - 2) - right) / (3 * u * u - 4 * u);
+            double scale = Math.Min(8, u - 1);
+            var window = new Covariance2D(scale * shape.XX, scale * shape.XY, scale * shape.YY);
+            double x = _x, y = _y, reach = 0.5 + 0.5 * Math.Sqrt(Math.Max(shape.XX, shape.YY));
+            var pass = new WindowedSums();
+            for (int step = 0; step < MaxSteps; step++)
             {
-                below += _histogram[bin];
-                if (2 * below >= count)
+                pass.Collect(_window, window, x, y, speckle);
+                if (!pass.TryStep(window, out double dx, out double dy))
+                    break;
+                x += dx;
+                y += dy;
+                if (dx * dx + dy * dy < 1e-6)
                     break;
             }
 
-            return bin - 1024;
+            Covariance2D soft = SoftError(speckle);
+            bool isSound = pass.IsSound && pass.ErrorCovariance.Sigma < MinGain * soft.Sigma && (x - _x) * (x - _x) + (y - _y) * (y - _y) <= reach * reach;
+            dot.PositionPx = isSound ? new Vector2D(_window.Left + x, _window.Top + y) : new Vector2D(_window.Left + _x, _window.Top + _y);
+            Covariance2D error = isSound ? pass.ErrorCovariance : soft;
+            dot.CovariancePx = new Covariance2D(FloorPx * FloorPx + error.XX, error.XY, FloorPx * FloorPx + error.YY);
+        }
+
+        /// <summary>The soft centroid's covariance: each pixel's noise times its distance from the centre, through the light.</summary>
+        private Covariance2D SoftError(double speckle)
+        {
+            double xx = 0, xy = 0, yy = 0, noise2 = _window.Noise * _window.Noise, scale = 1 / (_sum * _sum);
+            for (int y = 0; y < _window.Height; y++)
+            {
+                for (int x = 0; x < _window.Width; x++)
+                {
+                    int i = y * _window.Width + x;
+                    double light = _window.Light[i];
+                    if (light < _threshold)
+                        continue;
+                    double variance = scale * (_window.Clipped[i] ? 0 : noise2 + speckle * speckle * light * light);
+                    xx += variance * (x - _x) * (x - _x);
+                    xy += variance * (x - _x) * (y - _y);
+                    yy += variance * (y - _y) * (y - _y);
+                }
+            }
+
+            return new Covariance2D(xx, xy, yy);
+        }
+
+        /// <summary>Standard deviation of the light about a Gaussian of this shape, through the light: grains, and what is no Gaussian.</summary>
+        private double Speckle(in Covariance2D shape)
+        {
+            double determinant = shape.XX * shape.YY - shape.XY * shape.XY;
+            double a = shape.YY / determinant, b = -2 * shape.XY / determinant, c = shape.XX / determinant;
+            double sumModel = 0, sumLight = 0;
+            for (int pass = 0; ; pass++)
+            {
+                double height = pass == 0 ? 1 : sumLight / sumModel, excess = UsualSpeckleWeight * UsualSpeckle * UsualSpeckle, count = UsualSpeckleWeight;
+                for (int y = 0; y < _window.Height; y++)
+                {
+                    for (int x = 0; x < _window.Width; x++)
+                    {
+                        double dx = x - _x, dy = y - _y, distance = a * dx * dx + b * dx * dy + c * dy * dy;
+                        if (distance > 3 || _window.Clipped[y * _window.Width + x])
+                            continue;
+                        double near = 1 - distance / 9, model = near * near * near * near, light = _window.Light[y * _window.Width + x];
+                        if (pass == 0)
+                        {
+                            sumModel += model * model;
+                            sumLight += model * light;
+                            continue;
+                        }
+
+                        double off = light - height * model;
+                        excess += (off * off - _window.Noise * _window.Noise) / (height * height * model * model);
+                        count++;
+                    }
+                }
+
+                if (sumModel <= 0 || sumLight <= 0)
+                    return UsualSpeckle;
+                if (pass == 1)
+                    return Math.Sqrt(Math.Max(0, Math.Min(1, excess / count)));
+            }
         }
     }
 }

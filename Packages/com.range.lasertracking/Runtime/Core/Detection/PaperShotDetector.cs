@@ -49,6 +49,7 @@ namespace LaserTracking.Detection
             if (!image.IsPresent || !PixelRow.CanRead(image.Format))
                 return;
             detections.ImageWidthPx = image.Width;
+            detections.ImageHeightPx = image.Height;
             if (!_planes.Update(image))
                 return;
             Threshold = PercentileScore();

@@ -41,6 +41,15 @@ namespace LaserTracking.Detection
             }
         }
 
+        /// <summary>Brightness of one pixel: luma as it is stored, or that of the colours.</summary>
+        public static int Luma(Image image, int y, int x)
+        {
+            byte* row = image.Pixels + (long)y * image.Stride;
+            if (image.Format == PixelFormat.Bgra32)
+                return (29 * row[4 * x] + 150 * row[4 * x + 1] + 77 * row[4 * x + 2] + 128) >> 8;
+            return image.Format == PixelFormat.Yuy2 ? row[2 * x] : row[x];
+        }
+
         public static uint FromYuv(int y, int u, int v) =>
             Pack(y + BlueOffset(u), y + GreenOffset(u, v), y + RedOffset(v));
 

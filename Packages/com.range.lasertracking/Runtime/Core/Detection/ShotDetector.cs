@@ -78,6 +78,7 @@ namespace LaserTracking.Detection
             if (!image.IsPresent || !PixelRow.CanRead(image.Format))
                 return;
             detections.ImageWidthPx = image.Width;
+            detections.ImageHeightPx = image.Height;
             if (_planes.Fit(image, _settings.FullSizeMaxWidthPx))
                 Restart();
             
@@ -238,7 +239,7 @@ namespace LaserTracking.Detection
             var dot = new Dot { IsConclusive = candidate.IsConclusive, IsOnset = candidate.IsOnset, MayBeContent = candidate.MayBeContent };
             _locator.Locate(image, view, factor, candidate, _noise.Sigma, ref dot);
             dot.Color = candidate.IsOnset || known.Frames == 0 ? ColorOf(candidate) : known.Color;
-            dot.Factors = Factors(candidate, dot.PositionPx, image);
+            dot.Factors = ConfidenceModel.Of(candidate, AwayShare(dot.PositionPx, image));
             dot.Confidence = Math.Min(1, dot.Factors.Sum);
             Trace?.Finish(candidate, view, dot.PositionPx, factor, known.Frames > 0, detections.Dots.Length);
             detections.Add(dot);
@@ -253,14 +254,10 @@ namespace LaserTracking.Detection
             return isRed && candidate.GreenHeadroom >= _settings.MinColorHeadroom ? LaserColor.Red : LaserColor.Unknown;
         }
 
-        private ConfidenceFactors Factors(in Candidate candidate, Vector2D positionPx, Image image)
+        private static double AwayShare(Vector2D positionPx, Image image)
         {
-            double peak = candidate.PeakRelativeRise / 255.0;
-            double contrast = 1 - candidate.RingShare / Math.Max(1e-9, _settings.MaxRingShare);
             var center = new Vector2D((image.Width - 1) * 0.5, (image.Height - 1) * 0.5);
-            double away = (positionPx - center).Length / Math.Max(1, center.Length);
-            double rest = 1 - candidate.MotionShare / Math.Max(1e-9, _settings.MaxMotionShare);
-            return new ConfidenceFactors(0.4 * Math.Min(1, peak), 0.3 * Math.Max(0, contrast), 0.2 * Math.Max(0, 1 - away), 0.1 * Math.Max(0, rest));
+            return (positionPx - center).Length / Math.Max(1, center.Length);
         }
 
         private void Remember(in FrameView view, in Candidate candidate, in Dot dot, in RememberedDot known)

@@ -1,6 +1,7 @@
 using System;
 using LaserTracking.Detection;
 using LaserTracking.Health;
+using LaserTracking.Tracking;
 
 namespace LaserTracking.Pipeline
 {
@@ -24,9 +25,13 @@ namespace LaserTracking.Pipeline
         /// <summary>What is said about what can be seen here after the first seconds; null: nothing.</summary>
         public AdvisorSettings? Advisor { get; set; } = new AdvisorSettings();
 
+        /// <summary>Shutter and rolling shutter of camera 0, for the tracker of the usual pipeline.</summary>
+        public CameraTimingSettings CameraTiming { get; set; } = new CameraTimingSettings();
+
         /// <exception cref="ArgumentException">A value is outside its range.</exception>
         public void Validate()
         {
+            CameraTiming.Validate();
             if (!(BlindShareLimit >= 0 && BlindShareLimit <= 1))
                 throw new ArgumentException("BlindShareLimit must lie in 0…1");
             if (!(FrameGapFactor > 1) || double.IsInfinity(FrameGapFactor))

@@ -72,11 +72,12 @@ namespace LaserTracking.Pipeline
         public static RangePipeline CreateDefault(IShotDetector detector, RangeCalibration? calibration, bool hasHandCamera, ShotScorer? scorer,
             IEventSink sink, PipelineSettings? settings = null)
         {
+            var tracker = new ShotTracker(new ShotTrackerSettings { Timing = (settings ?? new PipelineSettings()).CameraTiming });
             if (!hasHandCamera || calibration == null || !(calibration.HandCamera is HandCamera camera))
-                return new RangePipeline(detector, new ShotTracker(), calibration, null, null, scorer, sink, settings);
+                return new RangePipeline(detector, tracker, calibration, null, null, scorer, sink, settings);
             Vector2D sizeM = calibration.Screen.ScreenSizeM;
             var fusion = new ShooterAssignment(camera, new FusionSettings { ScreenAreaM2 = sizeM.X * sizeM.Y });
-            return new RangePipeline(detector, new ShotTracker(), calibration, new DepthHandTracker(camera), fusion, scorer, sink, settings);
+            return new RangePipeline(detector, tracker, calibration, new DepthHandTracker(camera), fusion, scorer, sink, settings);
         }
 
         /// <summary>Share of the screen, 0…1, in which the last frame could not have shown a dot: too bright, or too much moved.</summary>

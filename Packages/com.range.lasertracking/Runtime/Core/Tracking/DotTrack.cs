@@ -10,7 +10,10 @@ namespace LaserTracking.Tracking
         public Dot First;
         public int FirstFrame;
         public long FirstTimeUs;
-        public long FirstSigmaUs;
+
+        /// <summary>Time from the frame before the first one; 0: there was none.</summary>
+        public long FirstIntervalUs;
+
         public Vector2D LastPx;
         public int LastFrame;
         public long LastTimeUs;

@@ -15,7 +15,12 @@ namespace LaserTracking.Tracking
         public const int MaxShotsPerFrame = MaxTracks;
 
         private const int MaxTracks = 64;
+
+        /// <summary>What a second sight or a sharp end says for a laser, log-odds: false dots hardly ever manage either.</summary>
+        private const double ProofLogOdds = 3;
+
         private readonly ShotTrackerSettings _settings;
+        private readonly LightOrigin _origin;
         private readonly DotTrack[] _tracks = new DotTrack[MaxTracks];
         private readonly Shot[] _shots = new Shot[MaxTracks];
         private readonly TrackedDot[] _dots = new TrackedDot[MaxTracks];
@@ -30,6 +35,7 @@ namespace LaserTracking.Tracking
         private long _previousTimeUs;
         private int _previousFrame;
         private long _intervalUs;
+        private double _scale = 1;
 
         /// <param name="settings">Defaults when absent. Copied.</param>
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
@@ -37,6 +43,7 @@ namespace LaserTracking.Tracking
         {
             _settings = settings?.Clone() ?? new ShotTrackerSettings();
             _settings.Validate();
+            _origin = new LightOrigin(_settings.Timing, _settings.HandSpeedPxPerS);
             Reset();
         }
 
@@ -82,10 +89,10 @@ namespace LaserTracking.Tracking
             long interval = _previousTimeUs == long.MinValue ? 0 : Math.Max(0, detections.TimeUs - _previousTimeUs);
             if (interval > 0)
                 _intervalUs = interval;
-            double scale = detections.ImageWidthPx > 0 ? detections.ImageWidthPx / 640.0 : 1;
+            _scale = detections.ImageWidthPx > 0 ? detections.ImageWidthPx / 640.0 : 1;
             for (int i = 0; i < _trackCount; i++)
                 _tracks[i].IsSeen = false;
-            MatchNearestFirst(detections, scale);
+            MatchNearestFirst(detections);
             ReadOnlySpan<Dot> dots = detections.Dots;
             for (int i = 0; i < dots.Length && i < MaxTracks; i++)
             {
@@ -93,7 +100,7 @@ namespace LaserTracking.Tracking
                     Begin(dots[i], detections);
             }
 
-            SettleUnseen(detections, scale);
+            SettleUnseen(detections);
             DropOld(detections.TimeUs, detections.FrameIndex);
             _previousTimeUs = detections.TimeUs;
             _previousFrame = detections.FrameIndex;
@@ -113,11 +120,11 @@ namespace LaserTracking.Tracking
         }
 
         /// <summary>Links dots to tracks by the least distance of all pairs, again and again: few of both, and no order matters.</summary>
-        private void MatchNearestFirst(Detections detections, double scale)
+        private void MatchNearestFirst(Detections detections)
         {
             ReadOnlySpan<Dot> dots = detections.Dots;
             Array.Clear(_taken, 0, _taken.Length);
-            double radius = _settings.LinkRadiusPx * scale;
+            double radius = _settings.LinkRadiusPx * _scale;
             while (true)
             {
                 double best = radius * radius;
@@ -198,10 +205,8 @@ namespace LaserTracking.Tracking
             Id = id,
             First = dot,
             FirstFrame = detections.FrameIndex,
-            FirstTimeUs = detections.TimeUs,
-
-            // The light began at any moment since the frame before: uniform over one interval.
-            FirstSigmaUs = (long)(_intervalUs * 0.2886751345948129),
+            FirstTimeUs = _origin.RowTimeUs(detections, dot),
+            FirstIntervalUs = _intervalUs,
             LastPx = dot.PositionPx,
             LastFrame = detections.FrameIndex,
             LastTimeUs = detections.TimeUs,
@@ -210,7 +215,7 @@ namespace LaserTracking.Tracking
         };
 
         /// <summary>A waiting dot that is gone without a trace was a flash; one that left something behind, or stays too long, was not.</summary>
-        private void SettleUnseen(Detections detections, double scale)
+        private void SettleUnseen(Detections detections)
         {
             int kept = 0;
             for (int i = 0; i < _trackCount; i++)
@@ -221,10 +226,10 @@ namespace LaserTracking.Tracking
                 if (isWaiting && !isOverdue && !track.IsSeen && track.LastFrame == _previousFrame)
                 {
                     double tracePx = NearestTracePx(detections, track.LastPx, out double glowPx);
-                    bool isGone = detections.ImageWidthPx > 0 && tracePx > _settings.VanishRadiusPx * scale;
+                    bool isGone = detections.ImageWidthPx > 0 && tracePx > _settings.VanishRadiusPx * _scale;
                     if (!isGone)
                         isWaiting = !Drop(track, detections.FrameIndex - track.FirstFrame);
-                    else if (glowPx <= _settings.VanishRadiusPx * scale)
+                    else if (glowPx <= _settings.VanishRadiusPx * _scale)
                         track.LastFrame = detections.FrameIndex;
                     else
                         Report(ref track, detections.FrameIndex);
@@ -287,6 +292,14 @@ namespace LaserTracking.Tracking
             track.IsReported = true;
             if (_shotCount == MaxTracks)
                 return;
+            Dot dot = track.First;
+            if (frameIndex > track.FirstFrame && !dot.IsConclusive)
+            {
+                dot.Factors = ConfidenceModel.Raise(dot.Factors, ProofLogOdds);
+                dot.Confidence = dot.Factors.Sum;
+            }
+
+            _origin.Place(ref dot, track.LastPx - dot.PositionPx, track.FirstIntervalUs, _scale);
             _shots[_shotCount++] = new Shot
             {
                 Id = ++_lastShotId,
@@ -294,8 +307,8 @@ namespace LaserTracking.Tracking
                 FirstFrameIndex = track.FirstFrame,
                 LastFrameIndex = track.LastFrame,
                 TimeUs = track.FirstTimeUs,
-                TimeSigmaUs = track.FirstSigmaUs,
-                Dot = track.First,
+                TimeSigmaUs = _origin.SigmaUs(track.FirstIntervalUs),
+                Dot = dot,
                 TrackId = track.Id,
             };
         }

@@ -27,6 +27,15 @@ namespace LaserTracking.Tracking
         /// </summary>
         public double VanishRadiusPx { get; set; } = 5;
 
+        /// <summary>
+        /// How fast the dot of an aimed weapon moves without its shape showing it, px at 640 per second, root mean square along each axis,
+        /// 0…10000: tremor, sway, a target followed. Widens the place of the light's begin.
+        /// </summary>
+        public double HandSpeedPxPerS { get; set; } = 11;
+
+        /// <summary>Shutter and rolling shutter of the camera.</summary>
+        public CameraTimingSettings Timing { get; set; } = new CameraTimingSettings();
+
         /// <exception cref="ArgumentException">A value is outside its range or NaN; the message names it.</exception>
         public void Validate()
         {
@@ -35,8 +44,15 @@ namespace LaserTracking.Tracking
             SettingCheck.InRange(nameof(MinTapGapUs), MinTapGapUs, 0, 10_000_000);
             SettingCheck.InRange(nameof(MaxWaitFrames), MaxWaitFrames, 1, 60);
             SettingCheck.InRange(nameof(VanishRadiusPx), VanishRadiusPx, 0, 640);
+            SettingCheck.InRange(nameof(HandSpeedPxPerS), HandSpeedPxPerS, 0, 10_000);
+            Timing.Validate();
         }
 
-        public ShotTrackerSettings Clone() => (ShotTrackerSettings)MemberwiseClone();
+        public ShotTrackerSettings Clone()
+        {
+            var copy = (ShotTrackerSettings)MemberwiseClone();
+            copy.Timing = Timing.Clone();
+            return copy;
+        }
     }
 }

@@ -27,7 +27,7 @@ namespace LaserTracking.Tracking
             Frame(3, Dot(136, 110, true));
             Assert.That(_tracker.Shots.Length, Is.EqualTo(0));
             Assert.That(shot.Dot.PositionPx, Is.EqualTo(new Vector2D(100, 100)));
-            Assert.That(shot.TimeSigmaUs, Is.EqualTo(33333 / Math.Sqrt(12)).Within(1));
+            Assert.That(shot.TimeSigmaUs, Is.EqualTo(33333 / Math.Sqrt(6)).Within(1), "any shutter");
         }
 
         [Test]
