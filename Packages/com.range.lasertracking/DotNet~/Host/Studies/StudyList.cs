@@ -9,6 +9,7 @@ namespace LaserTracking.Host.Studies
         public static IReadOnlyList<IStudy> All { get; } = new IStudy[]
         {
             new ClipStressStudy(),
+            new Moving.MovingStudy(),
         };
     }
 }

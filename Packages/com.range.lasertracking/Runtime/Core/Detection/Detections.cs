@@ -37,6 +37,12 @@ namespace LaserTracking.Detection
         /// <summary>Share of the searched area, 0…1, in which a dot of ordinary strength could not be seen in this frame.</summary>
         public double BlindShare { get; set; }
 
+        /// <summary>How far the detector could rely on the rendered pictures in this frame.</summary>
+        public PredictionState Prediction { get; set; }
+
+        /// <summary>From drawing a picture to the middle of the exposure that shows it, µs; null: not known.</summary>
+        public long? PredictedDelayUs { get; set; }
+
         public void Begin(int frameIndex, long timeUs)
         {
             FrameIndex = frameIndex;
@@ -44,6 +50,8 @@ namespace LaserTracking.Detection
             _dotCount = _rejectedCount = OverflowCount = 0;
             BlindShare = 0;
             ImageWidthPx = 0;
+            Prediction = PredictionState.Off;
+            PredictedDelayUs = null;
         }
 
         public void Add(in Dot dot)

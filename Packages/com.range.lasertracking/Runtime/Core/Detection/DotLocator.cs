@@ -42,6 +42,8 @@ namespace LaserTracking.Detection
                         int light = FrameView.Level(pixel, candidate.Plane);
                         if (candidate.IsAboveContent)
                             light = Math.Max(0, light - candidate.ContentLevel);
+                        else if (candidate.IsAboveExpected)
+                            light = Math.Max(0, light - FrameView.Level(view.Before[(y0 + y) / factor * view.Width + (x0 + x) / factor], candidate.Plane));
                         else if (candidate.IsOnset)
                             light -= FrameView.Level(view.Before[(y0 + y) / factor * view.Width + (x0 + x) / factor], candidate.Plane);
                         _light[y * width + x] = light;

@@ -27,16 +27,22 @@ namespace LaserTracking.Detection
         private readonly Candidate[] _candidates;
         private readonly Candidate[] _seeds;
         private readonly int[] _seedOrder;
+        private readonly ExpectedView? _expected;
+        private readonly ExpectedLightJudge? _expectedJudge;
         private int _candidateCount;
         private bool _isSmooth;
+        private bool _isPredicted;
 
         /// <param name="settings">Defaults when absent. Copied.</param>
+        /// <param name="expected">What the camera should see of the projected picture, where the rendered pictures are known.</param>
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
-        public ShotDetector(ShotDetectorSettings? settings = null)
+        public ShotDetector(ShotDetectorSettings? settings = null, ExpectedView? expected = null)
         {
             _settings = settings?.Clone() ?? new ShotDetectorSettings();
             _settings.Validate();
             _judge = new CandidateJudge(_settings, _blobs);
+            _expected = expected;
+            _expectedJudge = expected == null ? null : new ExpectedLightJudge(_settings, _blobs, expected);
             _candidates = new Candidate[4 * _settings.MaxCandidates];
             _seeds = new Candidate[_settings.MaxCandidates];
             _seedOrder = new int[_settings.MaxCandidates];
@@ -52,7 +58,11 @@ namespace LaserTracking.Detection
 
         public void SetScreenPolygon(Vector2D[] cornersPx) => _mask.Set(cornersPx);
 
-        public void Reset() => _planes.Reset();
+        public void Reset()
+        {
+            _planes.Reset();
+            _expected?.Reset();
+        }
 
         public void Process(Frame frame, Detections detections)
         {
@@ -120,34 +130,44 @@ namespace LaserTracking.Detection
             _content.Update(view);
             _judge.ContentLevel = _content.Level;
             _candidateCount = 0;
-            SearchPlane(image, view, DetectionPlane.Smallest, _planes.SmallestTiles, detections);
-            SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, detections);
+            _isPredicted = _expected != null
+                && _expected.Update(view, _planes.Factor, image.Width, image.Height, detections.TimeUs, _noise.Sigma, _settings.UseVectors);
+            detections.Prediction = _expected?.State ?? PredictionState.Off;
+            detections.PredictedDelayUs = _expected?.DelayUs;
+            if (_isPredicted)
+                SearchAboveExpected(image, view, _expected!, detections);
+            SearchPlane(image, view, DetectionPlane.Smallest, _planes.SmallestTiles, GateFloor, detections);
+            SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, GateFloor, detections);
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
-            detections.BlindShare = _planes.SmallestTiles.BusyShare;
+            detections.BlindShare = _isPredicted ? _expected!.BlindShare() : _planes.SmallestTiles.BusyShare;
             _memory.ReportTraces(view, detections);
             _memory.Protect(view, _planes.SmallestTiles, _planes.LargestTiles);
             _planes.SmallestTiles.Learn();
             _planes.LargestTiles.Learn();
         }
 
-        private void SearchPlane(Image image, in FrameView view, DetectionPlane plane, TileGrid tiles, Detections detections)
+        private void SearchPlane(Image image, in FrameView view, DetectionPlane plane, TileGrid tiles, int floor, Detections detections)
         {
             // Two rounds: a tile may hold two dots. The highest rise goes first, or a faint neighbour would grow into it and take it along.
             _blobs.Begin();
-            ReadOnlySpan<int> hot = tiles.FindHot(GateFloor, _settings.MaxCandidates);
+            ReadOnlySpan<int> hot = tiles.FindHot(floor, _settings.MaxCandidates);
             detections.Skip(tiles.HotCount - hot.Length);
+            bool isAboveExpected = tiles == _expected?.Tiles;
             for (int round = 0; round < 2; round++)
             {
                 int seeds = 0, slot = 0;
                 foreach (int tile in hot)
                 {
+                    if (_isPredicted && _expected!.ExplainsTile(tile))
+                        continue;
                     if (round == 0)
                         _finder.Fill(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot);
                     if (!_finder.TryFind(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot++, out Candidate candidate))
                         continue;
                     candidate.Activity = tiles.Activity(tile);
                     candidate.ActivityAround = tiles.ActivityAround(tile);
+                    candidate.IsAboveExpected = isAboveExpected;
                     _seeds[seeds] = candidate;
                     _seedOrder[seeds] = seeds - (candidate.PeakRelativeRise << 16);
                     seeds++;
@@ -173,7 +193,7 @@ namespace LaserTracking.Detection
             _blobs.Begin();
             for (int tile = 0; tile < tiles.Columns * tiles.Rows && _candidateCount < _candidates.Length; tile++)
             {
-                if (tiles.Onset(tile) < _settings.MinContentExcess / 2
+                if (tiles.Onset(tile) < _settings.MinContentExcess / 2 || (_isPredicted && _expected!.ExplainsTile(tile))
                     || !_finder.TryFindExcess(view, tile % tiles.Columns, tile / tiles.Columns, limit, out Candidate candidate))
                     continue;
                 candidate.Activity = tiles.Activity(tile);
@@ -183,10 +203,36 @@ namespace LaserTracking.Detection
             }
         }
 
+        /// <summary>Light that is not the projected picture's, with the expected view in the place of the pixels' past.</summary>
+        private void SearchAboveExpected(Image image, in FrameView view, ExpectedView expected, Detections detections)
+        {
+            fixed (byte* reference = expected.Reference)
+            fixed (uint* picture = expected.Picture)
+            {
+                FrameView against = view;
+                against.OldLargest = reference;
+                against.Before = picture;
+                SearchPlane(image, against, DetectionPlane.Largest, expected.Tiles, expected.MinExcess - 1, detections);
+            }
+        }
+
         private void Examine(Image image, in FrameView view, ref Candidate candidate, Detections detections)
         {
             RememberedDot known;
-            if (candidate.IsAboveContent)
+            if (candidate.IsAboveExpected)
+            {
+                _expectedJudge!.Judge(view, ref candidate, _judge.Scale, _noise.Sigma, _memory, out known);
+            }
+            else if (_isPredicted && _expected!.Explains(view, candidate, out int excess))
+            {
+                known = default;
+                candidate.Reason = RejectionReason.Rendered;
+                candidate.CenterX = candidate.SeedX;
+                candidate.CenterY = candidate.SeedY;
+                candidate.Value = excess;
+                candidate.Limit = ExpectedView.MinUnexplained;
+            }
+            else if (candidate.IsAboveContent)
                 _judge.JudgeAboveContent(view, ref candidate, _memory, out known);
             else
                 _judge.Judge(view, ref candidate, _memory, out known);

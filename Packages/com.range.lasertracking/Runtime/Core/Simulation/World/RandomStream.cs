@@ -14,5 +14,6 @@ namespace LaserTracking.Simulation
         Generator = 9,
         Speckle = 10,
         Texture = 11,
+        Content = 12,
     }
 }

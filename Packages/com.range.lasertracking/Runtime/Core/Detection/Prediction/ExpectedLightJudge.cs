@@ -1,0 +1,65 @@
+namespace LaserTracking.Detection
+{
+    /// <summary>
+    /// The tests for light above the expected view of the projected picture. It needs no onset and no quiet surroundings, only to be
+    /// of a dot's size and shape and alone: what else exceeds the expected view are people, and edges where the prediction is a little off.
+    /// </summary>
+    internal sealed unsafe class ExpectedLightJudge
+    {
+        private const double MaxRingShare = 0.1;
+        private readonly ShotDetectorSettings _settings;
+        private readonly BlobMeasurer _blobs;
+        private readonly ExpectedView _expected;
+
+        public ExpectedLightJudge(ShotDetectorSettings settings, BlobMeasurer blobs, ExpectedView expected)
+        {
+            _settings = settings;
+            _blobs = blobs;
+            _expected = expected;
+        }
+
+        /// <param name="view">The frame, with the expected view in the place of the past.</param>
+        /// <param name="candidate">Seed and peaks given; everything else is filled.</param>
+        /// <param name="scale">Working pixels per pixel of a picture 640 wide.</param>
+        /// <param name="noise">Temporal noise, levels.</param>
+        /// <param name="memory">Dots of the last frame.</param>
+        /// <param name="known">The dot of the last frame that it continues, if any.</param>
+        public void Judge(in FrameView view, ref Candidate candidate, double scale, double noise, DotMemory memory, out RememberedDot known)
+        {
+            known = default;
+            double area = scale * scale;
+            candidate.CenterX = candidate.SeedX;
+            candidate.CenterY = candidate.SeedY;
+            candidate.IsOnset = true;
+            if (Fails(ref candidate, candidate.PeakRise < _expected.MinExcess, RejectionReason.TooFaint, candidate.PeakRise, _expected.MinExcess))
+                return;
+            _blobs.Grow(view, ref candidate);
+            if (Fails(ref candidate, candidate.Area > _settings.MaxAreaPx * area, RejectionReason.TooLarge, candidate.Area / area, _settings.MaxAreaPx)
+                || Fails(ref candidate, candidate.Area < _settings.MinAreaPx * area, RejectionReason.TooSmall, candidate.Area / area, _settings.MinAreaPx)
+                || Fails(ref candidate, candidate.Compactness < _settings.MinCompactness, RejectionReason.NotCompact, candidate.Compactness, _settings.MinCompactness))
+                return;
+            double elongation = candidate.LongSigma / candidate.ShortSigma;
+            if (Fails(ref candidate, elongation > _settings.MaxElongation, RejectionReason.TooElongated, elongation, _settings.MaxElongation))
+                return;
+            int margin = 6 + candidate.Right - candidate.Left + candidate.Bottom - candidate.Top;
+            _expected.CopyExpected(candidate.Left - margin, candidate.Top - margin, candidate.Right + margin, candidate.Bottom + margin);
+            SurroundingsMeasurer.ColorRise(view, ref candidate);
+            SurroundingsMeasurer.Ring(view, ref candidate, noise);
+            bool isKnown = memory.TryFind(candidate, out known);
+            if (!isKnown && Fails(ref candidate, candidate.RingShare > MaxRingShare, RejectionReason.NotIsolated, candidate.RingShare, MaxRingShare))
+                return;
+            candidate.IsOnset = !isKnown;
+            candidate.IsConclusive = known.IsConclusive || (elongation <= _settings.ConclusiveElongation && candidate.RingShare <= _settings.MaxRingShare);
+        }
+
+        private static bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit)
+        {
+            if (!isFailed)
+                return false;
+            candidate.Reason = reason;
+            candidate.Value = value;
+            candidate.Limit = limit;
+            return true;
+        }
+    }
+}
