@@ -2,3 +2,4 @@ using System.Runtime.CompilerServices;
 
 [assembly: InternalsVisibleTo("Range.LaserTracking.Core.Tests")]
 [assembly: InternalsVisibleTo("Range.LaserTracking.Core.Tests.NetStandard")]
+[assembly: InternalsVisibleTo("range")]

@@ -26,7 +26,7 @@ namespace LaserTracking.Host.Studies.Moving
                 foreach (bool isResting in new[] { false, true })
                 {
                     string name = content.ToString().ToLowerInvariant() + (isResting ? "-resting" : "-shots");
-                    if (options.Includes(name) && !interrupted.IsCancellationRequested)
+                    if ((options.Includes(name + "-known") || options.Includes(name + "-unknown")) && !interrupted.IsCancellationRequested)
                         RunCase(name, content, isResting, options, table, interrupted);
                 }
             }
@@ -43,7 +43,11 @@ namespace LaserTracking.Host.Studies.Moving
             {
                 SimulatedRange range = isResting ? MovingScenario.RestingDots(seed, content) : MovingScenario.Shots(seed, content);
                 var history = new RenderedFrameHistory();
-                MovingRun[] runs = { new(range, new ExpectedView(history, range.Calibration)), new(range, null) };
+                MovingRun?[] runs =
+                {
+                    options.Includes(name + "-known") ? new MovingRun(range, new ExpectedView(history, range.Calibration)) : null,
+                    options.Includes(name + "-unknown") ? new MovingRun(range, null) : null,
+                };
                 double delayUs = range.Scenario.Projector.DelayMs * 1000;
                 using IFrameSource camera = range.CreateColorSource(), pictures = range.CreatePictureSource();
                 using var feed = new RenderedFeed(pictures, history, 0, 0);
@@ -52,16 +56,22 @@ namespace LaserTracking.Host.Studies.Moving
                 {
                     options.Progress.Show(FormattableString.Invariant($"{name}, seed {seed}, frame {frame.Index}"));
                     feed.AdvanceTo(frame.TimeUs);
-                    foreach (MovingRun run in runs)
-                        run.Process(frame, delayUs);
+                    foreach (MovingRun? run in runs)
+                        run?.Process(frame, delayUs);
                 }
 
                 for (int i = 0; i < runs.Length; i++)
-                    tallies[i].Add(runs[i], range.Scenario);
+                {
+                    if (runs[i] is { } run)
+                        tallies[i].Add(run, range.Scenario);
+                }
             }
 
             for (int i = 0; i < tallies.Length; i++)
-                tallies[i].Write(content, isResting, i == 0, table);
+            {
+                if (tallies[i].HasRuns)
+                    tallies[i].Write(content, isResting, i == 0, table);
+            }
         }
 
         /// <summary>Sums over seeds.</summary>
@@ -69,6 +79,8 @@ namespace LaserTracking.Host.Studies.Moving
         {
             private int _found, _all, _wrong, _dotsSeen, _dotsShown, _frames, _trusted;
             private double _minutes, _delayErrorUs;
+
+            public bool HasRuns => _frames > 0;
 
             public void Add(MovingRun run, SimulationScenario scenario)
             {

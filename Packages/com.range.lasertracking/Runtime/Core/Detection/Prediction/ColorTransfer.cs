@@ -10,12 +10,18 @@ namespace LaserTracking.Detection
     internal sealed unsafe class ColorTransfer
     {
         private const int Nodes = 17;
-        private const double MinRate = 0.01;
+        private const double MinRate = 0.002;
         private const double MaxPull = 15;
-        private const double CellKeep = 0.98;
+        private const double CellKeep = 0.99;
+
+        /// <summary>Variance of a cell's tones, levels squared, from which they say more of its gain than the rest of the screen does.</summary>
+        private const double Ridge = 400;
 
         /// <summary>Looks at a tone from which it counts as seen.</summary>
         private const double MinNodeWeight = 4;
+
+        /// <summary>Looks at a tone from which a single one pulls only so far.</summary>
+        private const double SureWeight = 150;
 
         /// <summary>Frames until the curve is good enough to tell cells apart, and to be used.</summary>
         private const int CurveFrames = 8;
@@ -79,16 +85,19 @@ namespace LaserTracking.Detection
             _sumOfSquares += seen * seen;
             if (error > 0.03 * expected + 4 + 25)
                 _surprises++;
-            double pull = _frames < CurveFrames ? error : Math.Max(-MaxPull, Math.Min(MaxPull, error));
             int node = channel * Nodes + (level >> 4);
             double upper = (level & 15) / 16.0;
+            bool isSure = _weights[node] * (1 - upper) + _weights[node + 1] * upper > SureWeight;
+
+            // The curve is the screen's mean, whatever the cells say: else curve and cells could drift apart together.
+            double away = seen - (_nodes[node] + upper * (_nodes[node + 1] - _nodes[node])), pull = isSure ? Math.Max(-MaxPull, Math.Min(MaxPull, away)) : away;
             Pull(node, 1 - upper, pull);
             Pull(node + 1, upper, pull);
-            if (_frames < CurveFrames)
+            if (_frames < CurveFrames || !isSure)
                 return;
             fixed (double* sums = &_sums[5 * at])
             {
-                double value = expected + pull;
+                double value = expected + Math.Max(-MaxPull, Math.Min(MaxPull, error));
                 sums[0] = CellKeep * sums[0] + 1;
                 sums[1] = CellKeep * sums[1] + tone;
                 sums[2] = CellKeep * sums[2] + value;
@@ -166,7 +175,7 @@ namespace LaserTracking.Detection
             if (share <= 0)
                 return;
             _weights[node] += share;
-            _nodes[node] += Math.Max(MinRate, 1 / (_weights[node] + 1)) * share * error;
+            _nodes[node] += Math.Max(MinRate, 1 / _weights[node]) * share * error;
         }
 
         /// <summary>Through the tones seen so far, never falling; beyond the brightest seen on in proportion, below the darkest as dark.</summary>
@@ -205,7 +214,7 @@ namespace LaserTracking.Detection
                 return;
             double tone = _sums[5 * at + 1] / count, value = _sums[5 * at + 2] / count;
             double variance = _sums[5 * at + 3] / count - tone * tone, common = _sums[5 * at + 4] / count - tone * value;
-            double gain = Math.Max(0.3, Math.Min(1.9, (common + 400) / (variance + 400)));
+            double gain = Math.Max(0.3, Math.Min(1.9, (common + Ridge) / (variance + Ridge)));
             _gains[at] = gain;
             _offsets[at] = Math.Max(-100, Math.Min(100, value - gain * tone));
         }

@@ -7,6 +7,13 @@ namespace LaserTracking.Detection
     internal sealed unsafe class ExpectedLightJudge
     {
         private const double MaxRingShare = 0.1;
+
+        /// <summary>Least excess times root of the area, levels·px at 640: what is left over along edges stays below.</summary>
+        private const double MinStrength = 80;
+
+        /// <summary>Below so many times the least excess, light that is drawn out is left over along an edge.</summary>
+        private const double FaintExcess = 2.5;
+
         private readonly ShotDetectorSettings _settings;
         private readonly BlobMeasurer _blobs;
         private readonly ExpectedView _expected;
@@ -38,8 +45,11 @@ namespace LaserTracking.Detection
                 || Fails(ref candidate, candidate.Area < _settings.MinAreaPx * area, RejectionReason.TooSmall, candidate.Area / area, _settings.MinAreaPx)
                 || Fails(ref candidate, candidate.Compactness < _settings.MinCompactness, RejectionReason.NotCompact, candidate.Compactness, _settings.MinCompactness))
                 return;
+            candidate.Strength = candidate.PeakRise * System.Math.Sqrt(candidate.Area / area);
             double elongation = candidate.LongSigma / candidate.ShortSigma;
-            if (Fails(ref candidate, elongation > _settings.MaxElongation, RejectionReason.TooElongated, elongation, _settings.MaxElongation))
+            double maxElongation = candidate.PeakRise < FaintExcess * _expected.MinExcess ? _settings.MaxLargestElongation : _settings.MaxElongation;
+            if (Fails(ref candidate, candidate.Strength < MinStrength, RejectionReason.TooFaint, candidate.Strength, MinStrength)
+                || Fails(ref candidate, elongation > maxElongation, RejectionReason.TooElongated, elongation, maxElongation))
                 return;
             int margin = 6 + candidate.Right - candidate.Left + candidate.Bottom - candidate.Top;
             _expected.CopyExpected(candidate.Left - margin, candidate.Top - margin, candidate.Right + margin, candidate.Bottom + margin);

@@ -19,11 +19,11 @@ namespace LaserTracking.Detection
 
         /// <summary>Neighbours this far from a look must be nearly as bright, or the look teaches nothing.</summary>
         private const int EvenPx = 2;
-        private const int EvenLevels = 40;
+        private const int EvenLevels = 24;
         /// <summary>Levels above the expected view up to which a candidate is part of the projected picture.</summary>
         internal const int MinUnexplained = 8;
 
-        private const double MaxErrorShare = 0.5;
+        private const double MaxErrorShare = 0.15;
 
         private readonly RenderedFrameHistory _history;
         private readonly RangeCalibration _calibration;
@@ -86,6 +86,15 @@ namespace LaserTracking.Detection
 
         /// <summary>A picture of the working size, filled where <see cref="CopyExpected"/> was asked to.</summary>
         internal uint[] Picture => _picture;
+
+        internal string Dump(int x, int y, uint now) // DEBUG
+        {
+            int at = _grid!.Blocks[y / 2 * _grid.BlockColumns + x / 2];
+            string t = $"now {now & 0xffffff:x6} exp {_screen[at] & 0xffffff:x6} gain {_gain[at] & 0xffffff:x6} off {_offset[at] & 0xffffff:x6} shown";
+            int a0 = _shown[0], a1 = _shown[_shownCount - 1];
+            for (int a = Math.Max(0, a0 - 2); a <= a1 + 2; a++) t += $" {(a == a0 ? "[" : "")}{_history.At(a).Pixels[at] & 0xffffff:x6}{(a == a1 ? "]" : "")}";
+            return t;
+        }
 
         public void Reset()
         {
@@ -231,20 +240,17 @@ namespace LaserTracking.Detection
         private bool TryMean(int at, out int blue, out int green, out int red)
         {
             blue = green = red = 0;
-            int x = at % _renderedWidth, y = at / _renderedWidth, low = 255, high = 0;
+            int x = at % _renderedWidth, y = at / _renderedWidth;
             if (x < EvenPx || y < EvenPx || x >= _renderedWidth - EvenPx || y >= _renderedHeight - EvenPx)
                 return false;
+            uint first = _history.At(_shown[0]).Pixels[at];
             for (int i = 0; i < _shownCount; i++)
             {
                 fixed (uint* pixels = _history.At(_shown[i]).Pixels)
                 {
                     uint* center = pixels + at;
-                    Widen(center[0], ref low, ref high);
-                    Widen(center[-EvenPx], ref low, ref high);
-                    Widen(center[EvenPx], ref low, ref high);
-                    Widen(center[-EvenPx * _renderedWidth], ref low, ref high);
-                    Widen(center[EvenPx * _renderedWidth], ref low, ref high);
-                    if (high - low > EvenLevels)
+                    if (!IsNear(first, center[0]) || !IsNear(first, center[-EvenPx]) || !IsNear(first, center[EvenPx])
+                        || !IsNear(first, center[-EvenPx * _renderedWidth]) || !IsNear(first, center[EvenPx * _renderedWidth]))
                         return false;
                     blue += (int)(*center & 255);
                     green += (int)(*center >> 8 & 255);
@@ -258,11 +264,12 @@ namespace LaserTracking.Detection
             return true;
         }
 
-        private static void Widen(uint pixel, ref int low, ref int high)
+        private static bool IsNear(uint a, uint b)
         {
-            int green = (int)(pixel >> 8 & 255);
-            low = green < low ? green : low;
-            high = green > high ? green : high;
+            if (a == b)
+                return true;
+            int blue = (int)(a & 255) - (int)(b & 255), green = (int)(a >> 8 & 255) - (int)(b >> 8 & 255), red = (int)(a >> 16 & 255) - (int)(b >> 16 & 255);
+            return Math.Abs(blue) <= EvenLevels && Math.Abs(green) <= EvenLevels && Math.Abs(red) <= EvenLevels;
         }
 
         private void Judge()
