@@ -2,4 +2,3 @@ using System.Runtime.CompilerServices;
 
 [assembly: InternalsVisibleTo("Range.LaserTracking.Core.Tests")]
 [assembly: InternalsVisibleTo("Range.LaserTracking.Core.Tests.NetStandard")]
-[assembly: InternalsVisibleTo("range")]

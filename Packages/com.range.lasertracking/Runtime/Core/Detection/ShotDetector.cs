@@ -75,12 +75,14 @@ namespace LaserTracking.Detection
                 Restart();
             
             // Noise of the raw picture decides, with a gap between on and off: a smoothed picture has three eighths of it.
-            double rawNoise = _isSmooth ? _noise.Sigma / 0.375 : _noise.Sigma;
+            double noise = _isPredicted && _expected!.Noise > 0 ? _expected.Noise : _noise.Sigma, rawNoise = _isSmooth ? noise / 0.375 : noise;
             bool isSmooth = rawNoise > (_isSmooth ? 0.8 : 1) * _settings.SmoothingNoise;
             if (isSmooth != _isSmooth)
             {
                 _isSmooth = isSmooth;
                 _noise.Scale(isSmooth ? 0.375 : 1 / 0.375);
+                if (_expected != null)
+                    _expected.Noise *= isSmooth ? 0.375 : 1 / 0.375;
             }
 
             _planes.Update(image, _settings.EnvelopeDecay, _isSmooth, _settings.UseVectors);

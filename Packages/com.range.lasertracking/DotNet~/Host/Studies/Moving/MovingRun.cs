@@ -23,7 +23,7 @@ namespace LaserTracking.Host.Studies.Moving
 
         public MovingRun(SimulatedRange range, ExpectedView? expected)
         {
-            _truth = range.Truth; _ex = expected;
+            _truth = range.Truth;
             _detector = new ShotDetector(null, expected);
             _detector.SetScreenPolygon(range.Calibration.Screen.CornersPx);
         }
@@ -46,16 +46,6 @@ namespace LaserTracking.Host.Studies.Moving
         {
             _detector.Process(frame, _detections);
             _tracker.Process(_detections);
-            if (Environment.GetEnvironmentVariable("DBG") != null && _detections.Prediction == PredictionState.Trusted)
-            foreach (Shot shot in _tracker.Shots)
-            {
-                bool isTrue = false;
-                foreach (TrueDot dot in _truth.DotsOf(shot.FirstFrameIndex)) isTrue |= (dot.PositionPx - shot.Dot.PositionPx).Length < 6;
-                if (isTrue) continue;
-                foreach (Candidate c in _detector.Candidates)
-                    if (Math.Abs(c.CenterX - shot.Dot.PositionPx.X) < 6 && Math.Abs(c.CenterY - shot.Dot.PositionPx.Y) < 6)
-                        Console.Error.WriteLine(FormattableString.Invariant($"DBG {frame.Index} ({c.CenterX:F0},{c.CenterY:F0}) exp={c.IsAboveExpected} plane={c.Plane} rise={c.PeakRise} rel={c.PeakRelativeRise} area={c.Area} comp={c.Compactness:F2} el={c.LongSigma/c.ShortSigma:F1} ring={c.RingShare:F2} ringl={c.RingLevel:F2} concl={c.IsConclusive} reason={c.Reason} viv={c.Vividness:F2} gc={c.GreenCoherence:F2} {Dump(frame, c)}"));
-            }
             foreach (Shot shot in _tracker.Shots)
                 Shots.Add(new ReportedShot(shot.FrameIndex, shot.Dot.PositionPx, null));
             if (_truth.ColorFrameTimeUs(frame.Index) < MovingScenario.QuietS * 1e6)
@@ -74,7 +64,6 @@ namespace LaserTracking.Host.Studies.Moving
                 if (frame.Index == shot.FirstFrame || frame.Index == shot.LastFrame)
                     continue;
                 DotsShown++;
-                int was = DotsSeen;
                 foreach (TrackedDot tracked in _tracker.Dots)
                 {
                     if ((tracked.Dot.PositionPx - dot.PositionPx).Length > DotTolerancePx)
@@ -82,22 +71,8 @@ namespace LaserTracking.Host.Studies.Moving
                     DotsSeen++;
                     break;
                 }
-                if (was == DotsSeen && Environment.GetEnvironmentVariable("DBG") != null && _ex != null)
-                {
-                    Console.Error.WriteLine(FormattableString.Invariant($"LOST {frame.Index} at ({dot.PositionPx.X:F0},{dot.PositionPx.Y:F0}) peak {dot.Peak:F2} state {_detections.Prediction}"));
-                    foreach (Candidate c in _detector.Candidates)
-                        if (Math.Abs(c.CenterX - dot.PositionPx.X) < 12 && Math.Abs(c.CenterY - dot.PositionPx.Y) < 12)
-                            Console.Error.WriteLine(FormattableString.Invariant($"  C ({c.CenterX:F0},{c.CenterY:F0}) exp={c.IsAboveExpected} rise={c.PeakRise} rel={c.PeakRelativeRise} area={c.Area} comp={c.Compactness:F2} el={c.LongSigma/c.ShortSigma:F1} ring={c.RingShare:F2} concl={c.IsConclusive} reason={c.Reason} {c.Value:F1} {Dump(frame, c)}"));
-                }
             }
         }
-
-        private unsafe string Dump(Frame f, Candidate c)
-        {
-            if (_ex == null) return "";
-            return _ex.Dump(c.SeedX, c.SeedY, (((uint*)f.Color.Pixels)[c.SeedY * f.Color.Width + c.SeedX]));
-        }
-        private ExpectedView? _ex;
 
         /// <summary>Counts found and false shots; flashes between two exposures or too faint for any detector are nobody's.</summary>
         public void Score(int width, double minPeak, out int found, out int all, out int wrong)
@@ -118,9 +93,6 @@ namespace LaserTracking.Host.Studies.Moving
             TrueShot[] seen = _truth.Shots.Where(s => s.FirstFrame >= 0).ToArray();
             var clip = new TruthClip("", width, seen.Select(s => new TruthShot(s.Id.ToString(System.Globalization.CultureInfo.InvariantCulture), null, s.FirstFrame, s.LastFrame, places[s.Id])).ToList());
             int[] match = ShotMatcher.Match(clip, Shots);
-            if (Environment.GetEnvironmentVariable("DBG") != null)
-                for (int i = 0; i < seen.Length; i++)
-                    if (!match.Contains(i) && peaks[seen[i].Id] >= minPeak) Console.Error.WriteLine(FormattableString.Invariant($"MISS frames {seen[i].FirstFrame}-{seen[i].LastFrame} at {seen[i].FirstLightPx} peak {peaks[seen[i].Id]:F2} {seen[i].Color}"));
             wrong = match.Count(m => m < 0);
             found = match.Count(m => m >= 0 && peaks[seen[m].Id] >= minPeak);
             all = seen.Count(s => peaks[s.Id] >= minPeak);

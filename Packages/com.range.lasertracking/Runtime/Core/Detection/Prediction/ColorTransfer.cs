@@ -32,6 +32,7 @@ namespace LaserTracking.Detection
         private readonly double[] _gains = new double[3 * ScreenGrid.CellCount];
         private readonly double[] _offsets = new double[3 * ScreenGrid.CellCount];
         private readonly double[] _sums = new double[5 * 3 * ScreenGrid.CellCount];
+        private readonly int[] _errors = new int[64];
         private int _frames;
         private int _looks;
         private int _surprises;
@@ -49,6 +50,12 @@ namespace LaserTracking.Detection
         /// <summary>Mean squared error through the variance of what was seen (or through 12 levels squared, if that is more), of late.</summary>
         public double ErrorShare { get; private set; }
 
+        /// <summary>
+        /// Temporal noise of the picture, levels (one standard deviation), from looks at quite even content; 0: there were too few. Does
+        /// not mistake moving content for noise, as differences between frames do.
+        /// </summary>
+        public double Noise { get; set; }
+
         public void Reset()
         {
             for (int i = 0; i < _nodes.Length; i++)
@@ -59,6 +66,7 @@ namespace LaserTracking.Detection
             for (int i = 0; i < _gains.Length; i++)
                 _gains[i] = 1;
             _frames = 0;
+            Noise = 0;
             UnexplainedShare = ErrorShare = 1;
             BuildCurves();
         }
@@ -66,6 +74,7 @@ namespace LaserTracking.Detection
         public void BeginFrame()
         {
             _looks = _surprises = 0;
+            Array.Clear(_errors, 0, _errors.Length);
             _error = _sum = _sumOfSquares = 0;
         }
 
@@ -74,12 +83,15 @@ namespace LaserTracking.Detection
         /// <param name="channel">Which one.</param>
         /// <param name="level">What was rendered, 0…255.</param>
         /// <param name="seen">What the camera shows there.</param>
-        public void Learn(int cell, int channel, int level, int seen)
+        /// <param name="isQuiteEven">What differs from the expected there is noise.</param>
+        public void Learn(int cell, int channel, int level, int seen, bool isQuiteEven)
         {
             int at = 3 * cell + channel;
             double tone = _curves[256 * channel + level];
             double expected = _gains[at] * tone + _offsets[at], error = seen - expected;
             _looks++;
+            if (isQuiteEven)
+                _errors[(int)Math.Min(63, 2 * Math.Abs(error))]++;
             _error += Math.Min(error * error, 60 * 60);
             _sum += seen;
             _sumOfSquares += seen * seen;
@@ -115,10 +127,26 @@ namespace LaserTracking.Detection
             double follow = _frames <= CurveFrames ? 1 : 0.15;
             UnexplainedShare += follow * (_surprises / (double)_looks - UnexplainedShare);
             ErrorShare += follow * (_error / _looks / variance - ErrorShare);
+            MeasureNoise();
             _frames = Math.Min(_frames + 1, 1_000_000);
             BuildCurves();
             for (int at = 0; at < _gains.Length && IsLearned; at++)
                 FitCell(at);
+        }
+
+        /// <summary>The median error, in bins of half a level.</summary>
+        private void MeasureNoise()
+        {
+            int count = 0;
+            foreach (int errors in _errors)
+                count += errors;
+            if (count < 60)
+                return;
+            int bin = 0, below = 0;
+            while (2 * (below + _errors[bin]) < count)
+                below += _errors[bin++];
+            double median = 0.5 * (bin + (0.5 * count - below) / _errors[bin]);
+            Noise = Math.Max(0.5, median / 0.6745);
         }
 
         /// <summary>Tables for <see cref="ExpectationKernel.Transfer"/>, raised by this share.</summary>

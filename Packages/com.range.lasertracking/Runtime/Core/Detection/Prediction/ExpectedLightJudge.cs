@@ -14,6 +14,14 @@ namespace LaserTracking.Detection
         /// <summary>Below so many times the least excess, light that is drawn out is left over along an edge.</summary>
         private const double FaintExcess = 2.5;
 
+        /// <summary>Strength from which two pixels suffice: a short flash of a small dot, seen by a small picture.</summary>
+        private const double SmallStrength = 110;
+
+        /// <summary>Share of the room above the expected view, of 255, from which a spot fills it.</summary>
+        private const int FullRise = 150;
+
+        private const double MinFullCompactness = 0.5;
+
         private readonly ShotDetectorSettings _settings;
         private readonly BlobMeasurer _blobs;
         private readonly ExpectedView _expected;
@@ -41,11 +49,16 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.PeakRise < _expected.MinExcess, RejectionReason.TooFaint, candidate.PeakRise, _expected.MinExcess))
                 return;
             _blobs.Grow(view, ref candidate);
+
+            candidate.Strength = System.Math.Max(candidate.PeakRise, candidate.PeakRelativeRise / 2) * System.Math.Sqrt(candidate.Area / area);
+
+            // Over bright content little of a saturated dot is left, and that little is ragged; but it takes all the room there is.
+            double minCompactness = candidate.PeakRelativeRise >= FullRise ? MinFullCompactness : _settings.MinCompactness;
+            double minArea = candidate.Strength >= SmallStrength ? System.Math.Min(2, _settings.MinAreaPx * area) : _settings.MinAreaPx * area;
             if (Fails(ref candidate, candidate.Area > _settings.MaxAreaPx * area, RejectionReason.TooLarge, candidate.Area / area, _settings.MaxAreaPx)
-                || Fails(ref candidate, candidate.Area < _settings.MinAreaPx * area, RejectionReason.TooSmall, candidate.Area / area, _settings.MinAreaPx)
-                || Fails(ref candidate, candidate.Compactness < _settings.MinCompactness, RejectionReason.NotCompact, candidate.Compactness, _settings.MinCompactness))
+                || Fails(ref candidate, candidate.Area < minArea, RejectionReason.TooSmall, candidate.Area / area, minArea / area)
+                || Fails(ref candidate, candidate.Compactness < minCompactness, RejectionReason.NotCompact, candidate.Compactness, minCompactness))
                 return;
-            candidate.Strength = candidate.PeakRise * System.Math.Sqrt(candidate.Area / area);
             double elongation = candidate.LongSigma / candidate.ShortSigma;
             double maxElongation = candidate.PeakRise < FaintExcess * _expected.MinExcess ? _settings.MaxLargestElongation : _settings.MaxElongation;
             if (Fails(ref candidate, candidate.Strength < MinStrength, RejectionReason.TooFaint, candidate.Strength, MinStrength)

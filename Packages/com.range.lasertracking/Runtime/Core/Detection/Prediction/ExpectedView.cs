@@ -20,6 +20,7 @@ namespace LaserTracking.Detection
         /// <summary>Neighbours this far from a look must be nearly as bright, or the look teaches nothing.</summary>
         private const int EvenPx = 2;
         private const int EvenLevels = 24;
+        private const int QuiteEvenLevels = 4;
         /// <summary>Levels above the expected view up to which a candidate is part of the projected picture.</summary>
         internal const int MinUnexplained = 8;
 
@@ -75,6 +76,13 @@ namespace LaserTracking.Detection
         /// <summary>Share of the screen, of late, that was brighter than expected.</summary>
         public double UnexplainedShare => _transfer.UnexplainedShare;
 
+        /// <summary>Temporal noise of the working picture, levels; 0: not known. Set when the picture's treatment changes.</summary>
+        internal double Noise
+        {
+            get => _transfer.Noise;
+            set => _transfer.Noise = value;
+        }
+
         /// <summary>Levels by which light must exceed the expected view, in the frame looked at last.</summary>
         internal int MinExcess { get; private set; }
 
@@ -86,15 +94,6 @@ namespace LaserTracking.Detection
 
         /// <summary>A picture of the working size, filled where <see cref="CopyExpected"/> was asked to.</summary>
         internal uint[] Picture => _picture;
-
-        internal string Dump(int x, int y, uint now) // DEBUG
-        {
-            int at = _grid!.Blocks[y / 2 * _grid.BlockColumns + x / 2];
-            string t = $"now {now & 0xffffff:x6} exp {_screen[at] & 0xffffff:x6} gain {_gain[at] & 0xffffff:x6} off {_offset[at] & 0xffffff:x6} shown";
-            int a0 = _shown[0], a1 = _shown[_shownCount - 1];
-            for (int a = Math.Max(0, a0 - 2); a <= a1 + 2; a++) t += $" {(a == a0 ? "[" : "")}{_history.At(a).Pixels[at] & 0xffffff:x6}{(a == a1 ? "]" : "")}";
-            return t;
-        }
 
         public void Reset()
         {
@@ -129,7 +128,7 @@ namespace LaserTracking.Detection
                 Judge();
                 if (State != PredictionState.Trusted)
                     return false;
-                MinExcess = Math.Min(255, Math.Max(_settings.MinExcess, (int)(_settings.MinExcessSigmas * noise)));
+                MinExcess = Math.Min(255, Math.Max(_settings.MinExcess, (int)(_settings.MinExcessSigmas * (Noise > 0 ? Noise : noise))));
                 Expect(view);
                 return true;
             }
@@ -224,22 +223,23 @@ namespace LaserTracking.Detection
             for (int look = turn; look < ScreenGrid.LookCount; look += LearnTurns)
             {
                 int at = _grid!.RenderedLooks[look], camera = _grid.CameraLooks[look];
-                if (camera < 0 || !TryMean(at, out int blue, out int green, out int red))
+                if (camera < 0 || !TryMean(at, out int blue, out int green, out int red, out bool isQuiteEven))
                     continue;
                 uint seen = view.Now[camera];
                 int cell = look / ScreenGrid.LooksPerCell;
-                _transfer.Learn(cell, 0, blue, (int)(seen & 255));
-                _transfer.Learn(cell, 1, green, (int)(seen >> 8 & 255));
-                _transfer.Learn(cell, 2, red, (int)(seen >> 16 & 255));
+                _transfer.Learn(cell, 0, blue, (int)(seen & 255), isQuiteEven);
+                _transfer.Learn(cell, 1, green, (int)(seen >> 8 & 255), isQuiteEven);
+                _transfer.Learn(cell, 2, red, (int)(seen >> 16 & 255), isQuiteEven);
             }
 
             _transfer.EndFrame();
         }
 
         /// <summary>What was shown there on average; false where it was not even over the pictures and the neighbours.</summary>
-        private bool TryMean(int at, out int blue, out int green, out int red)
+        private bool TryMean(int at, out int blue, out int green, out int red, out bool isQuiteEven)
         {
             blue = green = red = 0;
+            isQuiteEven = true;
             int x = at % _renderedWidth, y = at / _renderedWidth;
             if (x < EvenPx || y < EvenPx || x >= _renderedWidth - EvenPx || y >= _renderedHeight - EvenPx)
                 return false;
@@ -249,9 +249,11 @@ namespace LaserTracking.Detection
                 fixed (uint* pixels = _history.At(_shown[i]).Pixels)
                 {
                     uint* center = pixels + at;
-                    if (!IsNear(first, center[0]) || !IsNear(first, center[-EvenPx]) || !IsNear(first, center[EvenPx])
-                        || !IsNear(first, center[-EvenPx * _renderedWidth]) || !IsNear(first, center[EvenPx * _renderedWidth]))
+                    int apart = Math.Max(Math.Max(Difference(first, center[0]), Math.Max(Difference(first, center[-EvenPx]), Difference(first, center[EvenPx]))),
+                        Math.Max(Difference(first, center[-EvenPx * _renderedWidth]), Difference(first, center[EvenPx * _renderedWidth])));
+                    if (apart > EvenLevels)
                         return false;
+                    isQuiteEven &= apart <= QuiteEvenLevels;
                     blue += (int)(*center & 255);
                     green += (int)(*center >> 8 & 255);
                     red += (int)(*center >> 16 & 255);
@@ -264,12 +266,13 @@ namespace LaserTracking.Detection
             return true;
         }
 
-        private static bool IsNear(uint a, uint b)
+        /// <summary>The largest of the three channels' differences.</summary>
+        private static int Difference(uint a, uint b)
         {
             if (a == b)
-                return true;
+                return 0;
             int blue = (int)(a & 255) - (int)(b & 255), green = (int)(a >> 8 & 255) - (int)(b >> 8 & 255), red = (int)(a >> 16 & 255) - (int)(b >> 16 & 255);
-            return Math.Abs(blue) <= EvenLevels && Math.Abs(green) <= EvenLevels && Math.Abs(red) <= EvenLevels;
+            return Math.Max(Math.Abs(blue), Math.Max(Math.Abs(green), Math.Abs(red)));
         }
 
         private void Judge()
