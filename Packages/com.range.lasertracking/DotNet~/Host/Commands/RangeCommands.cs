@@ -13,6 +13,7 @@ namespace LaserTracking.Host.Commands
                 ReplayCommand.Create(),
                 InfoCommand.Create(),
                 ExtractCommand.Create(),
+                ExplainCommand.Create(),
                 ScoreCommand.Create(),
                 CalibrateCommand.Create(),
                 StudyCommand.Create(),

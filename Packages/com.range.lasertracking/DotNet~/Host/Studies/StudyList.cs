@@ -10,6 +10,7 @@ namespace LaserTracking.Host.Studies
         {
             new ClipStressStudy(),
             new Moving.MovingStudy(),
+            new PastedDotsStudy(),
         };
     }
 }

@@ -85,14 +85,15 @@ namespace LaserTracking.Detection
         public bool MayBeContent;
 
         /// <summary>Whatever a rejected spot's shape is, if it grows dimmer it is a light that is going out.</summary>
-        public void Fade(in FrameView view)
+        public bool Fade(in FrameView view)
         {
             double fresh = view.Change(SeedY * view.Width + SeedX, Plane) / (double)PeakRise;
             if (fresh >= -0.2)
-                return;
+                return false;
             Reason = RejectionReason.NotNew;
             Value = fresh;
             Limit = 0.5;
+            return true;
         }
 
         /// <summary>None: it is a dot.</summary>

@@ -20,6 +20,9 @@ namespace LaserTracking.Detection
             _blobs = blobs;
         }
 
+        /// <summary>Records every test when there is one.</summary>
+        public DetectionTrace? Trace { get; set; }
+
         /// <summary>Temporal noise of this frame, levels (one standard deviation).</summary>
         public double Noise { get; set; }
 
@@ -47,15 +50,15 @@ namespace LaserTracking.Detection
             candidate.CenterX = candidate.SeedX;
             candidate.CenterY = candidate.SeedY;
             double minLevels = Math.Max(_settings.MinRiseLevels, _settings.MinRiseSigmas * Noise);
-            if (Fails(ref candidate, candidate.PeakRise < minLevels, RejectionReason.TooFaint, candidate.PeakRise, minLevels))
+            if (Fails(ref candidate, candidate.PeakRise < minLevels, RejectionReason.TooFaint, candidate.PeakRise, minLevels, "rise, levels"))
                 return;
             double rise = candidate.PeakRelativeRise / 255.0;
-            if (Fails(ref candidate, rise < _settings.MinRise, RejectionReason.TooFaint, rise, _settings.MinRise))
+            if (Fails(ref candidate, rise < _settings.MinRise, RejectionReason.TooFaint, rise, _settings.MinRise, "rise, share of room"))
                 return;
 
             // Eight looks at the distance no dot reaches spare the growing of most moving things.
             double around = SurroundingsMeasurer.SpokeShare(view, candidate, (int)Math.Ceiling(1.5 * Math.Sqrt(_settings.MaxAreaPx * area / Math.PI)));
-            if (Fails(ref candidate, around > MaxSpokeShare, RejectionReason.NotIsolated, around, MaxSpokeShare))
+            if (Fails(ref candidate, around > MaxSpokeShare, RejectionReason.NotIsolated, around, MaxSpokeShare, "as bright all around"))
                 return;
             _blobs.Grow(view, ref candidate);
             if (Fails(ref candidate, candidate.Area > _settings.MaxAreaPx * area, RejectionReason.TooLarge, candidate.Area / area, _settings.MaxAreaPx)
@@ -70,7 +73,7 @@ namespace LaserTracking.Detection
             double minStrength = isFaint
                 ? _settings.MinFaintStrength + _settings.FaintStrengthPerActivity * candidate.Activity
                 : _settings.MinStrength + _settings.StrengthPerActivity * candidate.Activity;
-            if (Fails(ref candidate, candidate.Strength < minStrength, RejectionReason.TooFaint, candidate.Strength, minStrength))
+            if (Fails(ref candidate, candidate.Strength < minStrength, RejectionReason.TooFaint, candidate.Strength, minStrength, "strength, levels·px"))
                 return;
             double elongation = candidate.LongSigma / candidate.ShortSigma;
             double maxElongation = isLargest ? _settings.MaxLargestElongation : rise < _settings.StreakRise ? _settings.MaxFaintElongation : _settings.MaxElongation;
@@ -100,7 +103,7 @@ namespace LaserTracking.Detection
 
             // On saturated backgrounds only blue has room to rise: strong candidates may count on it, faint ones must show laser light.
             double freshness = isFaint ? candidate.Vividness : candidate.Freshness;
-            if (Fails(ref candidate, freshness < minFreshness, RejectionReason.NotNew, freshness, minFreshness)
+            if (Fails(ref candidate, freshness < minFreshness, RejectionReason.NotNew, freshness, minFreshness, isFaint ? "vividness" : "freshness")
                 || Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, fresh, 0.5))
                 return;
 
@@ -108,14 +111,14 @@ namespace LaserTracking.Detection
             bool isVivid = candidate.Vividness >= _settings.VividFreshness && candidate.Strength >= _settings.VividStrength;
             bool isBlunt = candidate.Vividness < _settings.VividFreshness && candidate.Area > _settings.ConclusiveAreaPx * Scale * Scale;
             double coherence = Math.Abs(candidate.GreenCoherence);
-            if (Fails(ref candidate, isBlunt && elongation > _settings.MaxBluntElongation, RejectionReason.TooElongated, elongation, _settings.MaxBluntElongation)
+            if (Fails(ref candidate, isBlunt && elongation > _settings.MaxBluntElongation, RejectionReason.TooElongated, elongation, _settings.MaxBluntElongation, "length / width, blunt")
                 || Fails(ref candidate, isBlunt && coherence < _settings.MinBluntCoherence, RejectionReason.WrongColor, coherence, _settings.MinBluntCoherence))
                 return;
             SurroundingsMeasurer.Ring(view, ref candidate, Noise);
             double maxShare = isFaint && !isVivid ? _settings.MaxFaintRingShare : _settings.MaxRingShare;
             double maxLevel = !isFaint ? _settings.MaxRingLevel : isVivid ? _settings.MaxVividRingLevel : _settings.MaxFaintRingLevel;
-            if (Fails(ref candidate, candidate.RingShare > maxShare, RejectionReason.NotIsolated, candidate.RingShare, maxShare)
-                || Fails(ref candidate, candidate.RingLevel > maxLevel, RejectionReason.NotIsolated, candidate.RingLevel, maxLevel))
+            if (Fails(ref candidate, candidate.RingShare > maxShare, RejectionReason.NotIsolated, candidate.RingShare, maxShare, "ring: share risen")
+                || Fails(ref candidate, candidate.RingLevel > maxLevel, RejectionReason.NotIsolated, candidate.RingLevel, maxLevel, "ring: level"))
                 return;
             candidate.MotionShare = SurroundingsMeasurer.MotionShare(view, candidate, (int)(_settings.MotionRadiusPx * Scale), Noise);
             double maxMotion = isFaint ? _settings.MaxFaintMotionShare : IsExemplary(candidate, elongation) ? _settings.MaxExemplaryMotionShare : _settings.MaxMotionShare;
@@ -126,9 +129,12 @@ namespace LaserTracking.Detection
             bool isRoundAndVivid = candidate.Vividness >= _settings.VividFreshness && elongation <= _settings.MaxBluntElongation;
             bool isLively = candidate.ActivityAround > _settings.QuietActivity;
             bool isSuspect = candidate.MayBeContent && ((isLively && IsContentKnown) || (!isRoundAndVivid && !IsExemplary(candidate, elongation)));
-            candidate.IsConclusive = isProvenByLevel || !isSuspect && !isFaint && !isBlunt && candidate.RingShare <= _settings.ConclusiveRingShare
-                && candidate.RingLevel <= _settings.ConclusiveRingLevel && candidate.MotionShare <= _settings.ConclusiveMotionShare
-                && elongation <= _settings.ConclusiveElongation;
+            candidate.IsConclusive = (isProvenByLevel && Suffices(ConclusiveExcess - excess, 0, "levels missing above")) || Suffices(!isSuspect, "may be the picture")
+                & Suffices(!isFaint, "faint") & Suffices(!isBlunt, "blunt")
+                & Suffices(candidate.RingShare, _settings.ConclusiveRingShare, "ring: share risen")
+                & Suffices(candidate.RingLevel, _settings.ConclusiveRingLevel, "ring: level")
+                & Suffices(candidate.MotionShare, _settings.ConclusiveMotionShare, "motion around")
+                & Suffices(elongation, _settings.ConclusiveElongation, "length / width");
         }
 
         /// <summary>
@@ -167,12 +173,13 @@ namespace LaserTracking.Detection
             candidate.RingShare = SurroundingsMeasurer.ExcessRingShare(view, candidate);
             if (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, 1 - before, 0.5)
                 || Fails(ref candidate, elongation > _settings.MaxElongation, RejectionReason.TooElongated, elongation, _settings.MaxElongation)
-                || Fails(ref candidate, candidate.RingShare > _settings.MaxRingShare, RejectionReason.NotIsolated, candidate.RingShare, _settings.MaxRingShare))
+                || Fails(ref candidate, candidate.RingShare > _settings.MaxRingShare, RejectionReason.NotIsolated, candidate.RingShare, _settings.MaxRingShare, "ring: share risen"))
                 return;
-            candidate.IsConclusive = excess >= ConclusiveExcess && elongation <= _settings.ConclusiveElongation;
+            candidate.IsConclusive = Suffices(ConclusiveExcess - excess, 0, "levels missing above")
+                & Suffices(elongation, _settings.ConclusiveElongation, "length / width");
         }
 
-        private static bool FailsAtEdge(in FrameView view, ref Candidate candidate)
+        private bool FailsAtEdge(in FrameView view, ref Candidate candidate)
         {
             int toEdge = Math.Min(Math.Min(candidate.SeedX, view.Width - 1 - candidate.SeedX), Math.Min(candidate.SeedY, view.Height - 1 - candidate.SeedY));
             return Fails(ref candidate, toEdge < MinFaintToEdge, RejectionReason.CutByEdge, toEdge, MinFaintToEdge);
@@ -184,14 +191,28 @@ namespace LaserTracking.Detection
             && candidate.Area <= _settings.ConclusiveAreaPx * Scale * Scale && elongation <= _settings.MaxLargestElongation
             && candidate.RingShare <= _settings.MaxFaintRingShare && candidate.RingLevel <= _settings.MaxFaintRingLevel;
 
-        private static bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit)
+        private bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit, string? what = null)
         {
+            Trace?.Add(reason, !isFailed, value, limit, what);
             if (!isFailed)
                 return false;
             candidate.Reason = reason;
             candidate.Value = value;
             candidate.Limit = limit;
             return true;
+        }
+
+        private bool Suffices(bool isMet, string against)
+        {
+            Trace?.AddConclusive(isMet, isMet ? 0 : 1, double.NaN, against);
+            return isMet;
+        }
+
+        /// <summary>One of the conditions under which this frame alone suffices; all of them are looked at, so that all can be shown.</summary>
+        private bool Suffices(double value, double limit, string what)
+        {
+            Trace?.AddConclusive(value <= limit, value, limit, what);
+            return value <= limit;
         }
     }
 }

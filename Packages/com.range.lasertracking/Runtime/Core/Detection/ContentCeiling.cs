@@ -29,6 +29,9 @@ namespace LaserTracking.Detection
             Level = 0;
         }
 
+        /// <summary>The exposure has changed by this factor.</summary>
+        public void Scale(double gain) => Level = (int)Math.Min(255, Math.Round(Level * gain));
+
         public unsafe void Update(in FrameView view)
         {
             Array.Clear(_histogram, 0, 256);

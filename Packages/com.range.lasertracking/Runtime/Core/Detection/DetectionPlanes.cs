@@ -9,6 +9,7 @@ namespace LaserTracking.Detection
     /// </summary>
     internal sealed unsafe class DetectionPlanes
     {
+        private const int ClippedFrom = 250;
         private readonly uint[][] _pictures = { Array.Empty<uint>(), Array.Empty<uint>() };
         private readonly byte[][] _smallest = { Array.Empty<byte>(), Array.Empty<byte>() };
         private readonly byte[][] _largest = { Array.Empty<byte>(), Array.Empty<byte>() };
@@ -18,6 +19,11 @@ namespace LaserTracking.Detection
         private int _sourceHeight;
         private PixelFormat _format;
         private int _turn;
+        private int _shiftX;
+        private int _shiftY;
+        private byte[] _dilatedSmallest = Array.Empty<byte>();
+        private byte[] _dilatedLargest = Array.Empty<byte>();
+        private bool _isDilated;
 
         public int Width { get; private set; }
 
@@ -37,11 +43,12 @@ namespace LaserTracking.Detection
 
         public uint[] Before => _pictures[1 - _turn];
 
-        public byte[] OldSmallest => _smallest[1 - _turn];
+        /// <summary>What the pixels' own past explains in this frame; while the camera shakes, with that of their neighbours.</summary>
+        public byte[] OldSmallest => _isDilated ? _dilatedSmallest : _smallest[1 - _turn];
 
         public byte[] NewSmallest => _smallest[_turn];
 
-        public byte[] OldLargest => _largest[1 - _turn];
+        public byte[] OldLargest => _isDilated ? _dilatedLargest : _largest[1 - _turn];
 
         public byte[] NewLargest => _largest[_turn];
 
@@ -65,22 +72,62 @@ namespace LaserTracking.Detection
                 _largest[i] = new byte[Width * Height];
             }
 
-            _columns = new byte[2 * Width];
-            _rows = new uint[4 * Width];
+            _dilatedSmallest = new byte[Width * Height];
+            _dilatedLargest = new byte[Width * Height];
+            _columns = new byte[4 * Width];
+            _rows = new uint[5 * Width];
             SmallestTiles.Resize(Width, Height);
             LargestTiles.Resize(Width, Height);
             FrameCount = 0;
             return true;
         }
 
-        /// <summary>Takes a frame in, smoothed if it is that noisy. The first one only fills the past.</summary>
-        public void Update(Image image, int decay, bool smooth, bool useVectors)
+        /// <summary>Gives the past the brightness that a change of exposure has given the present. What was clipped may have been brighter: it stays.</summary>
+        public void Rescale(double gain)
         {
+            byte* table = stackalloc byte[256];
+            for (int i = 0; i < 256; i++)
+                table[i] = (byte)(i >= ClippedFrom && gain < 1 ? i : Math.Min(255, Math.Round(i * gain)));
+            Replace(NewSmallest, table);
+            Replace(NewLargest, table);
+            fixed (uint* picture = Now)
+            {
+                byte* bytes = (byte*)picture;
+                for (int i = 0; i < Width * Height * 4; i++)
+                    bytes[i] = table[bytes[i]];
+            }
+        }
+
+        private static void Replace(byte[] plane, byte* table)
+        {
+            for (int i = 0; i < plane.Length; i++)
+                plane[i] = table[plane[i]];
+        }
+
+        /// <summary>
+        /// Takes a frame in, smoothed if it is that noisy. The first one only fills the past. A displaced picture is put back to where
+        /// it used to be; what the displacement leaves empty repeats the border.
+        /// </summary>
+        public void Update(Image image, GlobalChangeMeter change, int decay, bool smooth, bool useVectors)
+        {
+            if (change.Gain != 1)
+                Rescale(change.Gain);
+            _shiftX = change.ShiftX;
+            _shiftY = change.ShiftY;
             _turn = 1 - _turn;
+            _isDilated = change.IsBetweenPixels;
+            if (_isDilated)
+            {
+                Dilate(_smallest[1 - _turn], _dilatedSmallest);
+                Dilate(_largest[1 - _turn], _dilatedLargest);
+            }
+
             fixed (uint* picture = Now)
             fixed (uint* rows = _rows)
-            fixed (byte* oldMin = OldSmallest, newMin = NewSmallest, oldMax = OldLargest, newMax = NewLargest, columns = _columns)
+            fixed (byte* oldMin = _smallest[1 - _turn], newMin = NewSmallest, oldMax = _largest[1 - _turn], newMax = NewLargest, columns = _columns)
+            fixed (byte* dilatedMin = _dilatedSmallest, dilatedMax = _dilatedLargest)
             {
+                byte* unused = columns + 2 * Width;
                 for (int top = 0; top < Height; top += TileGrid.Size)
                 {
                     Array.Clear(_columns, 0, _columns.Length);
@@ -91,8 +138,12 @@ namespace LaserTracking.Detection
                         if (smooth)
                             SmoothRow(image, y, rows, picture + row, useVectors);
                         else
-                            ReductionKernel.Row(image, y, Factor, picture + row, useVectors);
-                        EnvelopeKernel.Row(picture + row, Width, (byte)decay, oldMin + row, newMin + row, oldMax + row, newMax + row, columns, columns + Width, useVectors);
+                            ReduceRow(image, y, picture + row, rows, useVectors);
+                        // The onsets from the dilated past, the new past from the true one: it would grow by a pixel a frame.
+                        if (_isDilated)
+                            EnvelopeKernel.Row(picture + row, Width, (byte)decay, dilatedMin + row, newMin + row, dilatedMax + row, newMax + row, columns, columns + Width, useVectors);
+                        byte* onsets = _isDilated ? unused : columns;
+                        EnvelopeKernel.Row(picture + row, Width, (byte)decay, oldMin + row, newMin + row, oldMax + row, newMax + row, onsets, onsets + Width, useVectors);
                     }
 
                     SmallestTiles.SetRow(top / TileGrid.Size, columns, Width);
@@ -108,13 +159,37 @@ namespace LaserTracking.Detection
         {
             for (int next = y == 0 ? 0 : y + 1; next <= Math.Min(y + 1, Height - 1); next++)
             {
-                ReductionKernel.Row(image, next, Factor, rows + 3 * Width, useVectors);
+                ReduceRow(image, next, rows + 3 * Width, rows + 4 * Width, useVectors);
                 SmoothingKernel.Horizontal(rows + 3 * Width, Width, rows + next % 3 * Width, useVectors);
             }
 
             uint* above = rows + Math.Max(0, y - 1) % 3 * Width;
             uint* below = rows + Math.Min(Height - 1, y + 1) % 3 * Width;
             SmoothingKernel.Vertical(above, rows + y % 3 * Width, below, Width, target, useVectors);
+        }
+
+        private void Dilate(byte[] source, byte[] target)
+        {
+            fixed (byte* from = source, to = target)
+            {
+                for (int y = 0; y < Height; y++)
+                    DilationKernel.Row(from + Math.Max(0, y - 1) * Width, from + y * Width, from + Math.Min(Height - 1, y + 1) * Width, Width, to + y * Width);
+            }
+        }
+
+        /// <summary>One row of the working picture, put back by the displacement; spare has room for a row.</summary>
+        private void ReduceRow(Image image, int y, uint* target, uint* spare, bool useVectors)
+        {
+            int from = Math.Max(0, Math.Min(Height - 1, y + _shiftY));
+            if (_shiftX == 0)
+            {
+                ReductionKernel.Row(image, from, Factor, target, useVectors);
+                return;
+            }
+
+            ReductionKernel.Row(image, from, Factor, spare, useVectors);
+            for (int x = 0; x < Width; x++)
+                target[x] = spare[Math.Max(0, Math.Min(Width - 1, x + _shiftX))];
         }
     }
 }

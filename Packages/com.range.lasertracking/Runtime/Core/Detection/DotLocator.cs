@@ -24,8 +24,10 @@ namespace LaserTracking.Detection
         public void Locate(Image image, in FrameView view, int factor, in Candidate candidate, double noise, ref Dot dot)
         {
             int margin = 3 + (Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top) + 1) / 2;
-            int x0 = Math.Max(0, (candidate.Left - margin) * factor), x1 = Math.Min(image.Width, (candidate.Right + 1 + margin) * factor);
-            int y0 = Math.Max(0, (candidate.Top - margin) * factor), y1 = Math.Min(image.Height, (candidate.Bottom + 1 + margin) * factor);
+            int left = candidate.Left + view.ShiftX, right = candidate.Right + view.ShiftX;
+            int top = candidate.Top + view.ShiftY, bottom = candidate.Bottom + view.ShiftY;
+            int x0 = Math.Max(0, (left - margin) * factor), x1 = Math.Min(image.Width, (right + 1 + margin) * factor);
+            int y0 = Math.Max(0, (top - margin) * factor), y1 = Math.Min(image.Height, (bottom + 1 + margin) * factor);
             x1 = Math.Min(x1, x0 + MaxSide);
             y1 = Math.Min(y1, y0 + MaxSide);
             int width = x1 - x0, height = y1 - y0;
@@ -35,6 +37,7 @@ namespace LaserTracking.Detection
                 for (int y = 0; y < height; y++)
                 {
                     PixelRow.ToBgra(image, y0 + y, x0, x1, row);
+                    int row0 = Math.Max(0, Math.Min(view.Height - 1, (y0 + y) / factor - view.ShiftY)) * view.Width;
                     for (int x = 0; x < width; x++)
                     {
                         uint pixel = row[x];
@@ -42,19 +45,17 @@ namespace LaserTracking.Detection
                         int light = FrameView.Level(pixel, candidate.Plane);
                         if (candidate.IsAboveContent)
                             light = Math.Max(0, light - candidate.ContentLevel);
-                        else if (candidate.IsAboveExpected)
-                            light = Math.Max(0, light - FrameView.Level(view.Before[(y0 + y) / factor * view.Width + (x0 + x) / factor], candidate.Plane));
-                        else if (candidate.IsOnset)
-                            light -= FrameView.Level(view.Before[(y0 + y) / factor * view.Width + (x0 + x) / factor], candidate.Plane);
-                        _light[y * width + x] = light;
+                        else if (candidate.IsAboveExpected || candidate.IsOnset)
+                            light -= FrameView.Level(view.Before[row0 + Math.Max(0, Math.Min(view.Width - 1, (x0 + x) / factor - view.ShiftX))], candidate.Plane);
+                        _light[y * width + x] = candidate.IsAboveExpected ? Math.Max(0, light) : light;
                     }
                 }
             }
 
             int background = BorderMedian(width, height);
             int peak = 0;
-            int coreLeft = candidate.Left * factor - x0, coreRight = (candidate.Right + 1) * factor - x0;
-            int coreTop = candidate.Top * factor - y0, coreBottom = (candidate.Bottom + 1) * factor - y0;
+            int coreLeft = left * factor - x0, coreRight = (right + 1) * factor - x0;
+            int coreTop = top * factor - y0, coreBottom = (bottom + 1) * factor - y0;
             for (int y = Math.Max(0, coreTop); y < Math.Min(height, coreBottom); y++)
             {
                 for (int x = Math.Max(0, coreLeft); x < Math.Min(width, coreRight); x++)
@@ -62,10 +63,10 @@ namespace LaserTracking.Detection
             }
 
             dot.Peak = peakLevel;
-            Moments(width, height, background, peak, x0, y0, noise, candidate, factor, ref dot);
+            Moments(width, height, background, peak, x0, y0, noise, view, candidate, factor, ref dot);
         }
 
-        private void Moments(int width, int height, int background, int peak, int x0, int y0, double noise, in Candidate candidate, int factor, ref Dot dot)
+        private void Moments(int width, int height, int background, int peak, int x0, int y0, double noise, in FrameView view, in Candidate candidate, int factor, ref Dot dot)
         {
             double threshold = SoftThreshold * peak, sum = 0, sumX = 0, sumY = 0, sumXX = 0, sumYY = 0, sumXY = 0;
             int area = 0;
@@ -91,7 +92,7 @@ namespace LaserTracking.Detection
             dot.AreaPx = area;
             if (sum <= 0)
             {
-                dot.PositionPx = new Vector2D((candidate.CenterX + 0.5) * factor - 0.5, (candidate.CenterY + 0.5) * factor - 0.5);
+                dot.PositionPx = new Vector2D((candidate.CenterX + view.ShiftX + 0.5) * factor - 0.5, (candidate.CenterY + view.ShiftY + 0.5) * factor - 0.5);
                 dot.CovariancePx = Covariance2D.Isotropic(factor);
                 return;
             }

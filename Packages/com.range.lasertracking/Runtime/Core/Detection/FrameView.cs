@@ -5,6 +5,14 @@ namespace LaserTracking.Detection
     {
         public int Width;
         public int Height;
+
+        /// <summary>By how much the raw picture lies beside the working one, working px.</summary>
+        public int ShiftX;
+        public int ShiftY;
+
+        /// <summary>Edges do not meet their own past: see <see cref="GlobalChangeMeter.IsBetweenPixels"/>.</summary>
+        public bool IsBetweenPixels;
+
         public uint* Now;
         public uint* Before;
         public byte* OldSmallest;
@@ -43,7 +51,24 @@ namespace LaserTracking.Detection
             return rise <= 0 ? 0 : rise * Reciprocal[255 - envelope] >> 8;
         }
 
-        /// <summary>Change since the last frame, levels.</summary>
-        public int Change(int i, DetectionPlane plane) => Level(Now[i], plane) - Level(Before[i], plane);
+        /// <summary>Change since the last frame, levels; between pixels only what leaves the range of the nine pixels around.</summary>
+        public int Change(int i, DetectionPlane plane)
+        {
+            int now = Level(Now[i], plane), before = Level(Before[i], plane);
+            if (!IsBetweenPixels)
+                return now - before;
+            int lowest = before, highest = before, y = i / Width, x = i - y * Width;
+            for (int ny = y > 0 ? y - 1 : 0; ny <= y + 1 && ny < Height; ny++)
+            {
+                for (int nx = x > 0 ? x - 1 : 0; nx <= x + 1 && nx < Width; nx++)
+                {
+                    int level = Level(Before[ny * Width + nx], plane);
+                    lowest = level < lowest ? level : lowest;
+                    highest = level > highest ? level : highest;
+                }
+            }
+
+            return now > highest ? now - highest : now < lowest ? now - lowest : 0;
+        }
     }
 }

@@ -13,6 +13,10 @@ namespace LaserTracking.Detection
     public sealed unsafe class ShotDetector : IShotDetector
     {
         private const int GateFloor = 2;
+
+        /// <summary>While the camera shakes, things dim and brighten by how they fall on the pixels: the past must remember longer, levels a frame.</summary>
+        private const int UnsteadyDecay = 1;
+
         private readonly ShotDetectorSettings _settings;
         private readonly DetectionPlanes _planes = new DetectionPlanes();
         private readonly BlobMeasurer _blobs = new BlobMeasurer();
@@ -21,6 +25,7 @@ namespace LaserTracking.Detection
         private readonly DotLocator _locator = new DotLocator();
         private readonly DotMemory _memory = new DotMemory();
         private readonly NoiseMeter _noise = new NoiseMeter();
+        private readonly GlobalChangeMeter _change = new GlobalChangeMeter();
         private readonly ContentCeiling _content = new ContentCeiling();
         private readonly ScreenMask _mask = new ScreenMask();
         private readonly int[] _reciprocal = new int[256];
@@ -53,6 +58,18 @@ namespace LaserTracking.Detection
 
         public string Name => "shots";
 
+        /// <summary>Records what each frame's candidates were tested for, when there is one; costs nothing otherwise.</summary>
+        public DetectionTrace? Trace
+        {
+            get => _judge.Trace;
+            set
+            {
+                _judge.Trace = value;
+                if (_expectedJudge != null)
+                    _expectedJudge.Trace = value;
+            }
+        }
+
         /// <summary>Everything examined in the last frame, for tests and explanations.</summary>
         internal ReadOnlySpan<Candidate> Candidates => new ReadOnlySpan<Candidate>(_candidates, 0, _candidateCount);
 
@@ -68,6 +85,7 @@ namespace LaserTracking.Detection
         {
             Image image = frame.Color;
             detections.Begin(frame.Index, image.IsPresent ? image.TimeUs : frame.TimeUs);
+            Trace?.Begin(frame.Index);
             if (!image.IsPresent || !PixelRow.CanRead(image.Format))
                 return;
             detections.ImageWidthPx = image.Width;
@@ -85,7 +103,13 @@ namespace LaserTracking.Detection
                     _expected.Noise *= isSmooth ? 0.375 : 1 / 0.375;
             }
 
-            _planes.Update(image, _settings.EnvelopeDecay, _isSmooth, _settings.UseVectors);
+            // What is known to move is no movement of the camera.
+            if (_isPredicted)
+                _change.Hold();
+            else
+                _change.Measure(image, rawNoise);
+            _content.Scale(_change.Gain);
+            _planes.Update(image, _change, _change.IsUnsteady ? UnsteadyDecay : _settings.EnvelopeDecay, _isSmooth, _settings.UseVectors);
             if (_planes.FrameCount == 2)
             {
                 _planes.SmallestTiles.LearnAtOnce();
@@ -102,6 +126,9 @@ namespace LaserTracking.Detection
                 {
                     Width = _planes.Width,
                     Height = _planes.Height,
+                    ShiftX = _change.ShiftX,
+                    ShiftY = _change.ShiftY,
+                    IsBetweenPixels = _change.IsBetweenPixels,
                     Now = now,
                     Before = before,
                     OldSmallest = oldMin,
@@ -121,6 +148,7 @@ namespace LaserTracking.Detection
             _blobs.Resize(_planes.Width * _planes.Height, (int)(_settings.MaxAreaPx * _judge.Scale * _judge.Scale) + 1);
             _memory.Clear();
             _noise.Reset();
+            _change.Reset(_planes.Width, _planes.Height, _planes.Factor);
             _content.Reset();
             _isSmooth = false;
         }
@@ -142,6 +170,7 @@ namespace LaserTracking.Detection
             SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, GateFloor, detections);
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
+            Trace?.Spot?.Look(view, _planes.Factor, _judge.IsContentKnown ? _content.Level + _settings.MinContentExcess : 256, _memory);
             detections.BlindShare = _isPredicted ? _expected!.BlindShare() : _planes.SmallestTiles.BusyShare;
             _memory.ReportTraces(view, detections);
             _memory.Protect(view, _planes.SmallestTiles, _planes.LargestTiles);
@@ -156,6 +185,8 @@ namespace LaserTracking.Detection
             ReadOnlySpan<int> hot = tiles.FindHot(floor, _settings.MaxCandidates);
             detections.Skip(tiles.HotCount - hot.Length);
             bool isAboveExpected = tiles == _expected?.Tiles;
+            if (!isAboveExpected)
+                Trace?.Spot?.SetTile(plane, tiles, hot, floor, _planes.Factor);
             for (int round = 0; round < 2; round++)
             {
                 int seeds = 0, slot = 0;
@@ -214,6 +245,7 @@ namespace LaserTracking.Detection
                 FrameView against = view;
                 against.OldLargest = reference;
                 against.Before = picture;
+                against.IsBetweenPixels = false;
                 SearchPlane(image, against, DetectionPlane.Largest, expected.Tiles, expected.MinExcess - 1, detections);
             }
         }
@@ -233,16 +265,18 @@ namespace LaserTracking.Detection
                 candidate.CenterY = candidate.SeedY;
                 candidate.Value = excess;
                 candidate.Limit = ExpectedView.MinUnexplained;
+                Trace?.Add(candidate.Reason, false, candidate.Value, candidate.Limit, null);
             }
             else if (candidate.IsAboveContent)
                 _judge.JudgeAboveContent(view, ref candidate, _memory, out known);
             else
                 _judge.Judge(view, ref candidate, _memory, out known);
             int factor = _planes.Factor;
-            var position = new Vector2D((candidate.CenterX + 0.5) * factor - 0.5, (candidate.CenterY + 0.5) * factor - 0.5);
+            var position = new Vector2D((candidate.CenterX + view.ShiftX + 0.5) * factor - 0.5, (candidate.CenterY + view.ShiftY + 0.5) * factor - 0.5);
             if (candidate.Reason == RejectionReason.None && !_mask.IsWholePicture)
             {
                 double outside = _mask.SignedDistancePx(position);
+                Trace?.Add(RejectionReason.OutsideScreen, outside <= 0, outside, 0, null);
                 if (outside > 0)
                 {
                     candidate.Reason = RejectionReason.OutsideScreen;
@@ -251,18 +285,20 @@ namespace LaserTracking.Detection
                 }
             }
 
-            if (candidate.Reason != RejectionReason.None && candidate.Reason != RejectionReason.TooFaint)
-                candidate.Fade(view);
+            if (candidate.Reason != RejectionReason.None && candidate.Reason != RejectionReason.TooFaint && candidate.Fade(view))
+                Trace?.Add(candidate.Reason, false, candidate.Value, candidate.Limit, null);
             double near = 0, reach = 0;
             if (candidate.Reason == RejectionReason.None && _memory.IsHaloOf(candidate, out near, out reach))
             {
                 candidate.Reason = RejectionReason.Duplicate;
                 candidate.Value = near * factor;
                 candidate.Limit = reach * factor;
+                Trace?.Add(candidate.Reason, false, candidate.Value, candidate.Limit, null);
             }
 
             if (candidate.Reason != RejectionReason.None)
             {
+                Trace?.Finish(candidate, position, factor, known.Frames > 0, -1);
                 detections.Reject(new RejectedCandidate { PositionPx = position, Reason = candidate.Reason, Value = candidate.Value, Limit = candidate.Limit });
                 return;
             }
@@ -272,6 +308,7 @@ namespace LaserTracking.Detection
             dot.Color = candidate.IsOnset || known.Frames == 0 ? ColorOf(candidate) : known.Color;
             dot.Factors = Factors(candidate, dot.PositionPx, image);
             dot.Confidence = Math.Min(1, dot.Factors.Sum);
+            Trace?.Finish(candidate, dot.PositionPx, factor, known.Frames > 0, detections.Dots.Length);
             detections.Add(dot);
             Remember(candidate, dot, known);
         }

@@ -146,6 +146,9 @@ namespace LaserTracking.Detection
             }
         }
 
-        private int Surprise(int i, int floor) => _onsets[i] - floor - (int)(0.9f * _activity[i]);
+        /// <summary>What the tile's onset must exceed to be hot, levels.</summary>
+        public int Gate(int tile, int floor) => floor + (int)(0.9f * _activity[tile]);
+
+        private int Surprise(int i, int floor) => _onsets[i] - Gate(i, floor);
     }
 }

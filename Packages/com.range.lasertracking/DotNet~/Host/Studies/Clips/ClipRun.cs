@@ -18,9 +18,6 @@ namespace LaserTracking.Host.Studies.Clips
 
         public List<ReportedShot> Reported { get; } = new();
 
-        /// <summary>Shots that were reported in the first frame that shows them as far as the detector knows.</summary>
-        public List<int> FirstFrames { get; } = new();
-
         /// <param name="frame">The next frame.</param>
         /// <param name="shiftPx">By how much its picture was displaced on purpose; taken off again.</param>
         public void Process(Frame frame, Vector2D shiftPx)
@@ -33,11 +30,17 @@ namespace LaserTracking.Host.Studies.Clips
                 // A late report speaks of an earlier frame.
                 Vector2D shift = _shiftsPx.ElementAt(System.Math.Max(0, _shiftsPx.Count - 1 - (shot.FrameIndex - shot.FirstFrameIndex)));
                 Reported.Add(new ReportedShot(shot.FrameIndex, shot.Dot.PositionPx - shift, shot.Dot.Color.ToString().ToLowerInvariant()));
-                FirstFrames.Add(shot.FirstFrameIndex);
             }
 
             while (_shiftsPx.Count > 64)
                 _shiftsPx.Dequeue();
+        }
+
+        /// <summary>What was reported beside this clip's own shots.</summary>
+        public IReadOnlyList<ReportedShot> Without(TruthClip clip)
+        {
+            int[] taken = ShotMatcher.Match(clip, Reported);
+            return Reported.Where((_, i) => taken[i] < 0).ToArray();
         }
     }
 }

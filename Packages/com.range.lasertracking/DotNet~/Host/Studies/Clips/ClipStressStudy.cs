@@ -39,7 +39,7 @@ namespace LaserTracking.Host.Studies.Clips
                 }
 
                 for (int i = 0; i < cases.Length; i++)
-                    tallies[i].Add(clip, runs[i]);
+                    tallies[i].Add(clip, runs[i].Reported);
             }
 
             var table = new StudyTable(clips.Clips.Count + " clips, " + clips.Clips.Sum(c => c.Shots.Count) + " shots; step: ten frames each as they are, brighter, as they are, darker; shake: whole pixels, smooth: fractions", ClipTally.Columns);

@@ -15,19 +15,15 @@ namespace LaserTracking.Host.Studies.Clips
         private int _rightColor;
         private int _firstFrame;
 
-        public int Missed => _missed.Count;
-
-        public int False => _false.Count;
-
         public static string[] Columns { get; } = { "case", "found", "false", "colour right", "in first frame", "error px median", "p95" };
 
-        public void Add(TruthClip clip, ClipRun run)
+        public void Add(TruthClip clip, IReadOnlyList<ReportedShot> shots)
         {
-            int[] taken = ShotMatcher.Match(clip, run.Reported);
+            int[] taken = ShotMatcher.Match(clip, shots);
             _shots += clip.Shots.Count;
             for (int i = 0; i < taken.Length; i++)
             {
-                ReportedShot reported = run.Reported[i];
+                ReportedShot reported = shots[i];
                 if (taken[i] < 0)
                 {
                     _false.Add(FormattableString.Invariant($"{clip.File} frame {reported.Frame} at {reported.PositionPx.X:F0},{reported.PositionPx.Y:F0}"));

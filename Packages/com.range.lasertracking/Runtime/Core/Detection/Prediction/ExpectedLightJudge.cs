@@ -33,6 +33,9 @@ namespace LaserTracking.Detection
             _expected = expected;
         }
 
+        /// <summary>See <see cref="ShotDetector.Trace"/>.</summary>
+        public DetectionTrace? Trace { get; set; }
+
         /// <param name="view">The frame, with the expected view in the place of the past.</param>
         /// <param name="candidate">Seed and peaks given; everything else is filled.</param>
         /// <param name="scale">Working pixels per pixel of a picture 640 wide.</param>
@@ -46,7 +49,7 @@ namespace LaserTracking.Detection
             candidate.CenterX = candidate.SeedX;
             candidate.CenterY = candidate.SeedY;
             candidate.IsOnset = true;
-            if (Fails(ref candidate, candidate.PeakRise < _expected.MinExcess, RejectionReason.TooFaint, candidate.PeakRise, _expected.MinExcess))
+            if (Fails(ref candidate, candidate.PeakRise < _expected.MinExcess, RejectionReason.TooFaint, candidate.PeakRise, _expected.MinExcess, "above expected, levels"))
                 return;
             _blobs.Grow(view, ref candidate);
 
@@ -61,7 +64,7 @@ namespace LaserTracking.Detection
                 return;
             double elongation = candidate.LongSigma / candidate.ShortSigma;
             double maxElongation = candidate.PeakRise < FaintExcess * _expected.MinExcess ? _settings.MaxLargestElongation : _settings.MaxElongation;
-            if (Fails(ref candidate, candidate.Strength < MinStrength, RejectionReason.TooFaint, candidate.Strength, MinStrength)
+            if (Fails(ref candidate, candidate.Strength < MinStrength, RejectionReason.TooFaint, candidate.Strength, MinStrength, "strength, levels·px")
                 || Fails(ref candidate, elongation > maxElongation, RejectionReason.TooElongated, elongation, maxElongation))
                 return;
             int margin = 6 + candidate.Right - candidate.Left + candidate.Bottom - candidate.Top;
@@ -69,14 +72,15 @@ namespace LaserTracking.Detection
             SurroundingsMeasurer.ColorRise(view, ref candidate);
             SurroundingsMeasurer.Ring(view, ref candidate, noise);
             bool isKnown = memory.TryFind(candidate, out known);
-            if (!isKnown && Fails(ref candidate, candidate.RingShare > MaxRingShare, RejectionReason.NotIsolated, candidate.RingShare, MaxRingShare))
+            if (!isKnown && Fails(ref candidate, candidate.RingShare > MaxRingShare, RejectionReason.NotIsolated, candidate.RingShare, MaxRingShare, "ring: share above expected"))
                 return;
             candidate.IsOnset = !isKnown;
             candidate.IsConclusive = known.IsConclusive || (elongation <= _settings.ConclusiveElongation && candidate.RingShare <= _settings.MaxRingShare);
         }
 
-        private static bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit)
+        private bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit, string? what = null)
         {
+            Trace?.Add(reason, !isFailed, value, limit, what);
             if (!isFailed)
                 return false;
             candidate.Reason = reason;

@@ -1,0 +1,145 @@
+using System;
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>
+    /// What <see cref="ShotDetector"/> examined in its last frame: every candidate with every test it was put through, in order. Hang
+    /// one on <see cref="ShotDetector.Trace"/> before Process and read it after. Fixed room, no allocation once constructed; without one the
+    /// detector records nothing. Same thread as the detector.
+    /// </summary>
+    public sealed class DetectionTrace
+    {
+        private readonly ExaminedCandidate[] _candidates;
+        private readonly TestOutcome[] _tests;
+        private int _candidateCount;
+        private int _testCount;
+        private int _firstTest;
+
+        /// <param name="candidateCapacity">Candidates kept a frame; what goes beyond is counted, 1…65536.</param>
+        /// <exception cref="ArgumentOutOfRangeException">The capacity is outside its range.</exception>
+        public DetectionTrace(int candidateCapacity = 512)
+        {
+            if (candidateCapacity < 1 || candidateCapacity > 65536)
+                throw new ArgumentOutOfRangeException(nameof(candidateCapacity), "1…65536 candidates can be kept");
+            _candidates = new ExaminedCandidate[candidateCapacity];
+            _tests = new TestOutcome[24 * candidateCapacity];
+        }
+
+        /// <summary>A place to look at closely in every frame, whatever happens there; null: none.</summary>
+        public SpotTrace? Spot { get; set; }
+
+        /// <summary>Index of the frame; -1 before the first one.</summary>
+        public int FrameIndex { get; private set; } = -1;
+
+        /// <summary>In the order in which they were examined.</summary>
+        public ReadOnlySpan<ExaminedCandidate> Candidates => new ReadOnlySpan<ExaminedCandidate>(_candidates, 0, _candidateCount);
+
+        /// <summary>Candidates that found no room.</summary>
+        public int OverflowCount { get; private set; }
+
+        /// <summary>The tests of a candidate, in order. The last failed one with a reason is the verdict: a spot that grows dimmer is said to go out, whatever else it failed.</summary>
+        public ReadOnlySpan<TestOutcome> TestsOf(in ExaminedCandidate candidate) =>
+            new ReadOnlySpan<TestOutcome>(_tests, candidate.FirstTest, candidate.TestCount);
+
+        /// <summary>Whether this reason's limit is the least value that passes; otherwise it is the largest.</summary>
+        public static bool IsMinimum(RejectionReason reason)
+        {
+            switch (reason)
+            {
+                case RejectionReason.TooSmall:
+                case RejectionReason.NotCompact:
+                case RejectionReason.TooFaint:
+                case RejectionReason.NotNew:
+                case RejectionReason.CutByEdge:
+                case RejectionReason.WrongColor:
+                case RejectionReason.LowConfidence:
+                case RejectionReason.Duplicate:
+                    return true;
+                default:
+                    return false;
+            }
+        }
+
+        internal void Begin(int frameIndex)
+        {
+            FrameIndex = frameIndex;
+            Spot?.Begin();
+            _candidateCount = _testCount = _firstTest = OverflowCount = 0;
+        }
+
+        /// <summary>A test with a reason. What: null for the reason's usual measure.</summary>
+        internal void Add(RejectionReason reason, bool isPassed, double value, double limit, string? what)
+        {
+            // Passed beyond its limit: the test is not meant for candidates like this one.
+            bool isMinimum = IsMinimum(reason);
+            if (!isPassed || (isMinimum ? value >= limit : value <= limit))
+                Add(new TestOutcome { What = what ?? UsualMeasure(reason), Reason = reason, IsPassed = isPassed, Value = value, Limit = limit, IsMinimum = isMinimum });
+        }
+
+        /// <summary>A test that decides only whether this frame suffices.</summary>
+        internal void AddConclusive(bool isPassed, double value, double limit, string what) =>
+            Add(new TestOutcome { What = what, IsPassed = isPassed, Value = value, Limit = limit });
+
+        /// <summary>The candidate whose tests were added since the last call.</summary>
+        internal void Finish(in Candidate candidate, Vector2D positionPx, int factor, bool isContinued, int dotIndex)
+        {
+            int first = _firstTest;
+            _firstTest = _testCount;
+            if (_candidateCount == _candidates.Length)
+            {
+                OverflowCount++;
+                return;
+            }
+
+            double half = (factor - 1) * 0.5;
+            bool isGrown = candidate.Area > 0;
+            var seed = new Vector2D(candidate.SeedX * factor + half, candidate.SeedY * factor + half);
+            _candidates[_candidateCount++] = new ExaminedCandidate
+            {
+                SeedPx = seed,
+                PositionPx = positionPx,
+                TopLeftPx = isGrown ? new Vector2D(candidate.Left * factor, candidate.Top * factor) : seed,
+                BottomRightPx = isGrown ? new Vector2D((candidate.Right + 1) * factor - 1, (candidate.Bottom + 1) * factor - 1) : seed,
+                IsSmallestChannel = candidate.Plane == DetectionPlane.Smallest,
+                IsAboveContent = candidate.IsAboveContent,
+                RiseLevels = candidate.PeakRise,
+                Rise = candidate.PeakRelativeRise / 255.0,
+                IsContinued = isContinued,
+                IsOnset = candidate.IsOnset,
+                IsConclusive = candidate.IsConclusive,
+                Reason = candidate.Reason,
+                Value = candidate.Value,
+                Limit = candidate.Limit,
+                DotIndex = dotIndex,
+                FirstTest = first,
+                TestCount = _testCount - first,
+            };
+        }
+
+        private void Add(in TestOutcome test)
+        {
+            if (_testCount < _tests.Length)
+                _tests[_testCount++] = test;
+        }
+
+        private static string UsualMeasure(RejectionReason reason)
+        {
+            switch (reason)
+            {
+                case RejectionReason.OutsideScreen: return "outside screen, px";
+                case RejectionReason.TooSmall:
+                case RejectionReason.TooLarge: return "area, px² at 640";
+                case RejectionReason.NotCompact: return "compactness";
+                case RejectionReason.TooElongated: return "length / width";
+                case RejectionReason.MovingSurroundings: return "motion around";
+                case RejectionReason.WrongColor: return "red-green coherence";
+                case RejectionReason.NotConfirmed: return "frames waited";
+                case RejectionReason.Duplicate: return "distance to a dot, px";
+                case RejectionReason.NotNew: return "new light, share";
+                case RejectionReason.CutByEdge: return "to the edge, px";
+                default: return reason.ToString();
+            }
+        }
+    }
+}
