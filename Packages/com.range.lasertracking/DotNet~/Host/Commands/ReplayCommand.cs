@@ -23,30 +23,39 @@ namespace LaserTracking.Host.Commands
             var handOffset = new Option<long>("--hand-offset-us") { HelpName = "US", Description = "Added to the second camera's times, microseconds." };
             var calibration = new Option<string?>("--calibration") { HelpName = "FILE", Description = "Where the screen lies in the image (made by 'calibrate screen')." };
             var scene = new Option<string?>("--scene") { HelpName = "FILE.unity", Description = "The Unity scene (.unity) that was shown: shots are scored against it." };
+            var rendered = new Option<string?>("--rendered") { HelpName = "VIDEO", Description = "What the projector showed, on any clock: shots are found while it moves." };
             var detector = new Option<string>("--detector") { HelpName = "NAME", Description = "shots, or paper: the published algorithm, faithfully.", DefaultValueFactory = _ => "shots" };
             var events = new Option<string?>("--events") { HelpName = "FILE", Description = "Writes events.jsonl there; - is standard output." };
             var dots = new Option<string?>("--dots") { HelpName = "FILE", Description = "Writes every tracked dot in every frame there." };
             var report = new Option<string?>("--report") { HelpName = "DIR", Description = "Writes report.html into this folder." };
             var paced = new Option<bool>("--paced") { Description = "Runs at the recording's own speed." };
-            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, detector, events, dots, report, paced };
+            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, rendered, detector, events, dots, report, paced };
             command.SetAction((parsed, interrupted) =>
             {
                 RangeSession.CreateDetector(parsed.GetValue(detector)!);
                 string name = parsed.GetValue(input)!;
-                string? handName = parsed.GetValue(hand), calibrationName = parsed.GetValue(calibration), sceneName = parsed.GetValue(scene);
+                string? handName = parsed.GetValue(hand), calibrationName = parsed.GetValue(calibration), sceneName = parsed.GetValue(scene), renderedName = parsed.GetValue(rendered);
                 foreach (string? result in new[] { parsed.GetValue(events), parsed.GetValue(dots) })
-                    ResultFile.CheckNotRead(result, name, handName, calibrationName, sceneName);
+                    ResultFile.CheckNotRead(result, name, handName, calibrationName, sceneName, renderedName);
                 RangeCalibration? geometry = calibrationName == null ? null : RangeCalibrationFile.Read(calibrationName);
                 SceneModel? model = sceneName == null ? null : UnitySceneReader.Read(sceneName);
                 if (model != null && geometry == null)
                     throw new InputException(sceneName!, "a scene needs the screen's place in the image", "add --calibration FILE");
                 if (handName != null && geometry?.HandCamera == null)
                     throw new InputException(handName, "the second camera's place is not known", "add --calibration FILE with a hand_camera");
+                if (renderedName != null && geometry == null)
+                    throw new InputException(renderedName, "the rendered frames need the screen's place in the image", "add --calibration FILE");
+                if (renderedName != null && parsed.GetValue(detector) != "shots")
+                    throw new InputException(renderedName, "only the detector shots uses rendered frames", "leave out --rendered or --detector");
+                string problem = "";
+                using RenderedVideo? video = renderedName == null ? null : RenderedVideo.Open(renderedName, name, geometry!, interrupted, out problem);
                 using IFrameSource screenCamera = new PrefetchingFrameSource(FrameSources.OpenScreenCamera(name));
                 using IFrameSource? handCamera = handName == null ? null : new PrefetchingFrameSource(FrameSources.OpenHandCamera(handName));
                 var inputs = new List<SessionInput> { InputHash.Of(name) };
                 if (handName != null)
                     inputs.Add(InputHash.Of(handName));
+                if (renderedName != null)
+                    inputs.Add(InputHash.Of(renderedName));
                 var plan = new SessionPlan
                 {
                     ScreenCamera = screenCamera,
@@ -55,6 +64,8 @@ namespace LaserTracking.Host.Commands
                     Calibration = geometry,
                     CalibrationName = calibrationName,
                     Scene = model,
+                    Rendered = video,
+                    InputProblem = problem,
                     Detector = parsed.GetValue(detector)!,
                     Inputs = inputs,
                     IsPaced = parsed.GetValue(paced),

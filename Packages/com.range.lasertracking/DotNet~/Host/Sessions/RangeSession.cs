@@ -17,9 +17,9 @@ namespace LaserTracking.Host.Sessions
         public static string Version { get; } = typeof(RangeSession).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion.Split('+')[0];
 
         /// <summary>The detectors by the names of the command line.</summary>
-        public static IShotDetector CreateDetector(string name) => name switch
+        public static IShotDetector CreateDetector(string name, ExpectedView? expected = null) => name switch
         {
-            "shots" => new ShotDetector(),
+            "shots" => new ShotDetector(null, expected),
             "paper" => new PaperShotDetector(),
             _ => throw new InputException("--detector", $"there is no detector \"{name}\"", "known are shots and paper"),
         };
@@ -28,7 +28,7 @@ namespace LaserTracking.Host.Sessions
         public static bool Run(SessionPlan plan, IEventSink sink, CancellationToken interrupted)
         {
             var pipeline = RangePipeline.CreateDefault(
-                CreateDetector(plan.Detector),
+                CreateDetector(plan.Detector, plan.Rendered?.Expected),
                 plan.Calibration,
                 plan.HandCamera != null,
                 plan.Scene == null ? null : new ShotScorer(plan.Scene),
@@ -36,6 +36,8 @@ namespace LaserTracking.Host.Sessions
                 new PipelineSettings { SceneTimeZeroUs = plan.SceneTimeZeroUs });
             pipeline.Begin(new SessionHeader(Version, plan.Inputs, plan.CalibrationName, plan.Detector, plan.Seed));
             ReportOtherSizes(pipeline, plan);
+            if (plan.InputProblem.Length > 0)
+                pipeline.ReportInputProblem(new FrameProblem(-1, plan.InputProblem));
 
             var watch = Stopwatch.StartNew();
             using var progress = new ProgressLine();
@@ -44,6 +46,7 @@ namespace LaserTracking.Host.Sessions
             runner.BeforeFrame = frame =>
             {
                 pace.WaitFor(frame.TimeUs);
+                plan.Rendered?.AdvanceTo(frame.TimeUs);
                 progress.Show(ProgressText(frame, plan.ScreenCamera.Info, watch));
             };
             bool isComplete = runner.Run(interrupted);

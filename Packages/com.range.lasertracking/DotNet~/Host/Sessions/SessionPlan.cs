@@ -21,6 +21,12 @@ namespace LaserTracking.Host.Sessions
 
         public SceneModel? Scene { get; init; }
 
+        /// <summary>What the projector showed, on the camera's clock.</summary>
+        public RenderedVideo? Rendered { get; init; }
+
+        /// <summary>What is wrong with an input as a whole, for the first health line; empty: nothing.</summary>
+        public string InputProblem { get; init; } = "";
+
         /// <summary>"shots" or "paper".</summary>
         public string Detector { get; init; } = "shots";
 

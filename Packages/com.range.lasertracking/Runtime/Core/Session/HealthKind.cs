@@ -14,5 +14,8 @@ namespace LaserTracking.Session
 
         /// <summary>More was found than there is room for. Value: how many were dropped.</summary>
         Overflow = 3,
+
+        /// <summary>The expected view of the rendered pictures begins or ceases to be relied on. Value: delay from drawing to seeing, s.</summary>
+        Rendered = 4,
     }
 }
