@@ -171,6 +171,8 @@ namespace LaserTracking.Detection
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
             Trace?.Spot?.Look(view, _planes.Factor, _judge.IsContentKnown ? _content.Level + _settings.MinContentExcess : 256, _memory);
+            if (_expected != null)
+                _expected.DotCount = detections.Dots.Length;
             detections.BlindShare = _isPredicted ? _expected!.BlindShare() : _planes.SmallestTiles.BusyShare;
             _memory.ReportTraces(view, detections);
             _memory.Protect(view, _planes.SmallestTiles, _planes.LargestTiles);

@@ -17,6 +17,9 @@ namespace LaserTracking.Detection
         /// <summary>Variance of a cell's tones, levels squared, from which they say more of its gain than the rest of the screen does.</summary>
         private const double Ridge = 400;
 
+        /// <summary>Looks at which a cell has half a say about its gain and offset.</summary>
+        private const double FewLooks = 10;
+
         /// <summary>Looks at a tone from which it counts as seen.</summary>
         private const double MinNodeWeight = 4;
 
@@ -35,7 +38,6 @@ namespace LaserTracking.Detection
         private readonly int[] _errors = new int[64];
         private int _frames;
         private int _looks;
-        private int _surprises;
         private double _error;
         private double _sum;
         private double _sumOfSquares;
@@ -43,9 +45,6 @@ namespace LaserTracking.Detection
         public ColorTransfer() => Reset();
 
         public bool IsLearned => _frames >= CurveFrames;
-
-        /// <summary>Share of the looks of late that exceeded what was expected of them by 25 levels.</summary>
-        public double UnexplainedShare { get; private set; }
 
         /// <summary>Mean squared error through the variance of what was seen (or through 12 levels squared, if that is more), of late.</summary>
         public double ErrorShare { get; private set; }
@@ -67,13 +66,13 @@ namespace LaserTracking.Detection
                 _gains[i] = 1;
             _frames = 0;
             Noise = 0;
-            UnexplainedShare = ErrorShare = 1;
+            ErrorShare = 1;
             BuildCurves();
         }
 
         public void BeginFrame()
         {
-            _looks = _surprises = 0;
+            _looks = 0;
             Array.Clear(_errors, 0, _errors.Length);
             _error = _sum = _sumOfSquares = 0;
         }
@@ -95,8 +94,6 @@ namespace LaserTracking.Detection
             _error += Math.Min(error * error, 60 * 60);
             _sum += seen;
             _sumOfSquares += seen * seen;
-            if (error > 0.03 * expected + 4 + 25)
-                _surprises++;
             int node = channel * Nodes + (level >> 4);
             double upper = (level & 15) / 16.0;
             bool isSure = _weights[node] * (1 - upper) + _weights[node + 1] * upper > SureWeight;
@@ -125,7 +122,6 @@ namespace LaserTracking.Detection
                 return;
             double mean = _sum / _looks, variance = Math.Max(144, _sumOfSquares / _looks - mean * mean);
             double follow = _frames <= CurveFrames ? 1 : 0.15;
-            UnexplainedShare += follow * (_surprises / (double)_looks - UnexplainedShare);
             ErrorShare += follow * (_error / _looks / variance - ErrorShare);
             MeasureNoise();
             _frames = Math.Min(_frames + 1, 1_000_000);
@@ -243,8 +239,12 @@ namespace LaserTracking.Detection
             double tone = _sums[5 * at + 1] / count, value = _sums[5 * at + 2] / count;
             double variance = _sums[5 * at + 3] / count - tone * tone, common = _sums[5 * at + 4] / count - tone * value;
             double gain = Math.Max(0.3, Math.Min(1.9, (common + Ridge) / (variance + Ridge)));
+
+            // Of the difference to the whole screen so much as there were looks.
+            double say = count / (count + FewLooks);
+            gain = 1 + say * (gain - 1);
             _gains[at] = gain;
-            _offsets[at] = Math.Max(-100, Math.Min(100, value - gain * tone));
+            _offsets[at] = Math.Max(-100, Math.Min(100, tone + say * (value - tone) - gain * tone));
         }
 
         private static int Level(double value) => value < 0 ? 0 : value > 255 ? 255 : (int)(value + 0.5);

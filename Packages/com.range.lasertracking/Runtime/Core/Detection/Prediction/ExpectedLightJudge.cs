@@ -45,7 +45,9 @@ namespace LaserTracking.Detection
         public void Judge(in FrameView view, ref Candidate candidate, double scale, double noise, DotMemory memory, out RememberedDot known)
         {
             known = default;
-            double area = scale * scale;
+
+            // In small pictures a pixel is still a pixel: one alone is noise.
+            double area = System.Math.Max(1, scale * scale);
             candidate.CenterX = candidate.SeedX;
             candidate.CenterY = candidate.SeedY;
             candidate.IsOnset = true;

@@ -19,8 +19,14 @@ namespace LaserTracking.Detection
 
         /// <summary>Neighbours this far from a look must be nearly as bright, or the look teaches nothing.</summary>
         private const int EvenPx = 2;
-        private const int EvenLevels = 24;
+        private const int LeastEvenLevels = 24, MostEvenLevels = 100;
+
+        /// <summary>Share of the looks that shall teach: where there are fewer, less even ones have to do.</summary>
+        private const double UsefulShare = 0.2;
         private const int QuiteEvenLevels = 4;
+        private const double Follow = 0.15;
+        private const int TilesPerDot = 4;
+
         /// <summary>Levels above the expected view up to which a candidate is part of the projected picture.</summary>
         internal const int MinUnexplained = 8;
 
@@ -51,6 +57,7 @@ namespace LaserTracking.Detection
         private int _renderedHeight;
         private int _shownCount;
         private int _mapRow;
+        private int _evenLevels = LeastEvenLevels;
         private long _learned;
         private bool _isMapped;
         private bool _useVectors = true;
@@ -74,7 +81,10 @@ namespace LaserTracking.Detection
         public long? DelayUs => _delay.IsKnown ? _delay.DelayUs : (long?)null;
 
         /// <summary>Share of the screen, of late, that was brighter than expected.</summary>
-        public double UnexplainedShare => _transfer.UnexplainedShare;
+        public double UnexplainedShare { get; private set; } = 1;
+
+        /// <summary>Dots found in the last frame: their light is no fault of the expected view.</summary>
+        internal int DotCount { get; set; }
 
         /// <summary>Temporal noise of the working picture, levels; 0: not known. Set when the picture's treatment changes.</summary>
         internal double Noise
@@ -125,12 +135,16 @@ namespace LaserTracking.Detection
                 }
 
                 Learn(view);
-                Judge();
-                if (State != PredictionState.Trusted)
+                if (!_transfer.IsLearned)
+                {
+                    State = PredictionState.Learning;
                     return false;
+                }
+
                 MinExcess = Math.Min(255, Math.Max(_settings.MinExcess, (int)(_settings.MinExcessSigmas * (Noise > 0 ? Noise : noise))));
                 Expect(view);
-                return true;
+                Judge();
+                return State == PredictionState.Trusted;
             }
         }
 
@@ -196,6 +210,7 @@ namespace LaserTracking.Detection
             Tiles.Resize(_width, _height);
             _delay.Reset();
             _transfer.Reset();
+            UnexplainedShare = 1;
             _isMapped = false;
             _mapRow = 0;
         }
@@ -219,12 +234,13 @@ namespace LaserTracking.Detection
         private void Learn(in FrameView view)
         {
             _transfer.BeginFrame();
-            int turn = (int)(_learned++ % LearnTurns);
+            int turn = (int)(_learned++ % LearnTurns), useful = 0;
             for (int look = turn; look < ScreenGrid.LookCount; look += LearnTurns)
             {
                 int at = _grid!.RenderedLooks[look], camera = _grid.CameraLooks[look];
                 if (camera < 0 || !TryMean(at, out int blue, out int green, out int red, out bool isQuiteEven))
                     continue;
+                useful++;
                 uint seen = view.Now[camera];
                 int cell = look / ScreenGrid.LooksPerCell;
                 _transfer.Learn(cell, 0, blue, (int)(seen & 255), isQuiteEven);
@@ -233,6 +249,7 @@ namespace LaserTracking.Detection
             }
 
             _transfer.EndFrame();
+            _evenLevels = useful * LearnTurns < UsefulShare * ScreenGrid.LookCount ? Math.Min(MostEvenLevels, _evenLevels + 4) : Math.Max(LeastEvenLevels, _evenLevels - 1);
         }
 
         /// <summary>What was shown there on average; false where it was not even over the pictures and the neighbours.</summary>
@@ -251,7 +268,7 @@ namespace LaserTracking.Detection
                     uint* center = pixels + at;
                     int apart = Math.Max(Math.Max(Difference(first, center[0]), Math.Max(Difference(first, center[-EvenPx]), Difference(first, center[EvenPx]))),
                         Math.Max(Difference(first, center[-EvenPx * _renderedWidth]), Difference(first, center[EvenPx * _renderedWidth])));
-                    if (apart > EvenLevels)
+                    if (apart > _evenLevels)
                         return false;
                     isQuiteEven &= apart <= QuiteEvenLevels;
                     blue += (int)(*center & 255);
@@ -275,15 +292,17 @@ namespace LaserTracking.Detection
             return Math.Max(Math.Abs(blue), Math.Max(Math.Abs(green), Math.Abs(red)));
         }
 
+        /// <summary>Relied on as long as next to nothing but dots exceeds the expected view.</summary>
         private void Judge()
         {
-            bool wasTrusted = State == PredictionState.Trusted;
-            if (!_transfer.IsLearned)
-                State = PredictionState.Learning;
-            else if (_transfer.ErrorShare > MaxErrorShare || _transfer.UnexplainedShare > (wasTrusted ? 1 : 0.5) * _settings.MaxUnexplainedShare)
-                State = PredictionState.Doubtful;
-            else
-                State = PredictionState.Trusted;
+            int tiles = Tiles.Columns * Tiles.Rows, above = -TilesPerDot * DotCount;
+            for (int tile = 0; tile < tiles; tile++)
+                above += Tiles.Onset(tile) >= MinExcess ? 1 : 0;
+            double share = Math.Max(0, above) / (double)tiles;
+            UnexplainedShare += Follow * (share - UnexplainedShare);
+            double limit = (State == PredictionState.Trusted ? 1 : 0.5) * _settings.MaxUnexplainedShare;
+            bool isSound = UnexplainedShare <= limit && share <= 4 * _settings.MaxUnexplainedShare && _transfer.ErrorShare <= MaxErrorShare;
+            State = isSound ? PredictionState.Trusted : PredictionState.Doubtful;
         }
 
         private void Expect(in FrameView view)
