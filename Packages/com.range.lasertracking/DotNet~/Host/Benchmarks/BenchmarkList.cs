@@ -24,6 +24,7 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("detect-1080p", "1920×1080 BGRA frame in, shots out; moving scene, 2 dots", () => Detect("shots", 1920, 1080, PixelFormat.Bgra32)),
             new Benchmark("detect-720p-nv12", "1280×720 NV12 frame in, shots out; moving scene, 2 dots", () => Detect("shots", 1280, 720, PixelFormat.Nv12)),
             new Benchmark("paper-1080p", "the published algorithm at 960 px width on 1920×1080 BGRA; moving scene, 2 dots", () => Detect("paper", 1920, 1080, PixelFormat.Bgra32)),
+            new Benchmark("predict-1080p", "rendered frames known: what they cost on top of the search at 1920×1080; 640×360 pictures at 60 a second, everything moves", PredictionBenchmark.Prepare),
             new Benchmark("hands-640x576", "depth frame in, hands out; 2 people", Hands),
             new Benchmark("pair-multiuser", "4 shots of one frame to 4 hands", Pair),
             new Benchmark("decode-720p-mjpg", "one 1280×720 4:2:2 JPEG to YUY2", Decode),

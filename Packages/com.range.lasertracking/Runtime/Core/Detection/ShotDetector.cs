@@ -103,8 +103,8 @@ namespace LaserTracking.Detection
                     _expected.Noise *= isSmooth ? 0.375 : 1 / 0.375;
             }
 
-            // What is known to move is no movement of the camera.
-            if (_isPredicted)
+            // What is known to move is no movement of the camera: where the rendered pictures are known, that is not guessed at.
+            if (_expected != null && _expected.State != PredictionState.Off)
                 _change.Hold();
             else
                 _change.Measure(image, rawNoise);

@@ -20,7 +20,7 @@ namespace LaserTracking.Simulation
             _height = projector.Height;
             _speedPxPerS = projector.ContentSpeed * projector.Width;
             if (projector.Content == ProjectedContent.ShapesOverTexture)
-                _tile = PaintTile(_width / 1280.0);
+                _tile = PaintTile(Math.Max(0.5, _width / 1280.0));
             for (int i = 0; i < ShapeCount; i++)
             {
                 double Random(int what) => CounterRandom.Uniform(seed, RandomStream.Content, i, what);
