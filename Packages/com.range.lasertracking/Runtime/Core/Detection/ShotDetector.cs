@@ -73,6 +73,9 @@ namespace LaserTracking.Detection
         /// <summary>Everything examined in the last frame, for tests and explanations.</summary>
         internal ReadOnlySpan<Candidate> Candidates => new ReadOnlySpan<Candidate>(_candidates, 0, _candidateCount);
 
+        /// <summary>Temporal noise of the working picture, levels; not misled by moving content where that is known.</summary>
+        private double Noise => _isPredicted && _expected!.Noise > 0 ? _expected.Noise : _noise.Sigma;
+
         public void SetScreenPolygon(Vector2D[] cornersPx) => _mask.Set(cornersPx);
 
         public void Reset()
@@ -93,7 +96,7 @@ namespace LaserTracking.Detection
                 Restart();
             
             // Noise of the raw picture decides, with a gap between on and off: a smoothed picture has three eighths of it.
-            double noise = _isPredicted && _expected!.Noise > 0 ? _expected.Noise : _noise.Sigma, rawNoise = _isSmooth ? noise / 0.375 : noise;
+            double rawNoise = _isSmooth ? Noise / 0.375 : Noise;
             bool isSmooth = rawNoise > (_isSmooth ? 0.8 : 1) * _settings.SmoothingNoise;
             if (isSmooth != _isSmooth)
             {
@@ -256,19 +259,9 @@ namespace LaserTracking.Detection
         {
             RememberedDot known;
             if (candidate.IsAboveExpected)
-            {
-                _expectedJudge!.Judge(view, ref candidate, _judge.Scale, _noise.Sigma, _memory, out known);
-            }
+                _expectedJudge!.Judge(view, ref candidate, _judge.Scale, Noise, _memory, out known);
             else if (_isPredicted && _expected!.Explains(view, candidate, out int excess))
-            {
-                known = default;
-                candidate.Reason = RejectionReason.Rendered;
-                candidate.CenterX = candidate.SeedX;
-                candidate.CenterY = candidate.SeedY;
-                candidate.Value = excess;
-                candidate.Limit = ExpectedView.MinUnexplained;
-                Trace?.Add(candidate.Reason, false, candidate.Value, candidate.Limit, null);
-            }
+                _expectedJudge!.RejectExplained(ref candidate, excess, out known);
             else if (candidate.IsAboveContent)
                 _judge.JudgeAboveContent(view, ref candidate, _memory, out known);
             else
@@ -306,7 +299,7 @@ namespace LaserTracking.Detection
             }
 
             var dot = new Dot { IsConclusive = candidate.IsConclusive, IsOnset = candidate.IsOnset, MayBeContent = candidate.MayBeContent };
-            _locator.Locate(image, view, factor, candidate, _noise.Sigma, ref dot);
+            _locator.Locate(image, view, factor, candidate, Noise, ref dot);
             dot.Color = candidate.IsOnset || known.Frames == 0 ? ColorOf(candidate) : known.Color;
             dot.Factors = Factors(candidate, dot.PositionPx, image);
             dot.Confidence = Math.Min(1, dot.Factors.Sum);

@@ -1,10 +1,12 @@
+using System;
+
 namespace LaserTracking.Detection
 {
     /// <summary>
     /// The tests for light above the expected view of the projected picture. It needs no onset and no quiet surroundings, only to be
     /// of a dot's size and shape and alone: what else exceeds the expected view are people, and edges where the prediction is a little off.
     /// </summary>
-    internal sealed unsafe class ExpectedLightJudge
+    internal sealed class ExpectedLightJudge
     {
         private const double MaxRingShare = 0.1;
 
@@ -47,7 +49,7 @@ namespace LaserTracking.Detection
             known = default;
 
             // In small pictures a pixel is still a pixel: one alone is noise.
-            double area = System.Math.Max(1, scale * scale);
+            double area = Math.Max(1, scale * scale);
             candidate.CenterX = candidate.SeedX;
             candidate.CenterY = candidate.SeedY;
             candidate.IsOnset = true;
@@ -55,11 +57,11 @@ namespace LaserTracking.Detection
                 return;
             _blobs.Grow(view, ref candidate);
 
-            candidate.Strength = System.Math.Max(candidate.PeakRise, candidate.PeakRelativeRise / 2) * System.Math.Sqrt(candidate.Area / area);
+            candidate.Strength = Math.Max(candidate.PeakRise, candidate.PeakRelativeRise / 2) * Math.Sqrt(candidate.Area / area);
 
             // Over bright content little of a saturated dot is left, and that little is ragged; but it takes all the room there is.
             double minCompactness = candidate.PeakRelativeRise >= FullRise ? MinFullCompactness : _settings.MinCompactness;
-            double minArea = candidate.Strength >= SmallStrength ? System.Math.Min(2, _settings.MinAreaPx * area) : _settings.MinAreaPx * area;
+            double minArea = candidate.Strength >= SmallStrength ? Math.Min(2, _settings.MinAreaPx * area) : _settings.MinAreaPx * area;
             if (Fails(ref candidate, candidate.Area > _settings.MaxAreaPx * area, RejectionReason.TooLarge, candidate.Area / area, _settings.MaxAreaPx)
                 || Fails(ref candidate, candidate.Area < minArea, RejectionReason.TooSmall, candidate.Area / area, minArea / area)
                 || Fails(ref candidate, candidate.Compactness < minCompactness, RejectionReason.NotCompact, candidate.Compactness, minCompactness))
@@ -78,6 +80,15 @@ namespace LaserTracking.Detection
                 return;
             candidate.IsOnset = !isKnown;
             candidate.IsConclusive = known.IsConclusive || (elongation <= _settings.ConclusiveElongation && candidate.RingShare <= _settings.MaxRingShare);
+        }
+
+        /// <summary>For a candidate of the usual search that is no brighter than expected.</summary>
+        public void RejectExplained(ref Candidate candidate, int excess, out RememberedDot known)
+        {
+            known = default;
+            candidate.CenterX = candidate.SeedX;
+            candidate.CenterY = candidate.SeedY;
+            Fails(ref candidate, true, RejectionReason.Rendered, excess, ExpectedView.MinUnexplained, "above expected, levels");
         }
 
         private bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit, string? what = null)

@@ -55,7 +55,7 @@ namespace LaserTracking.Detection
         [Test]
         public unsafe void Colors_OnceLearned_ExpectTheCameraToSeeALittleLessEverywhere()
         {
-            SimulationScenario scenario = MovingRange.Scenario(6, 4, ProjectedContent.ShapesOverTexture);
+            SimulationScenario scenario = MovingRange.Scenario(6, 4);
             scenario.Room.Ambient = 0.1;
             scenario.ColorCamera.Gain = 1.3;
             var range = new MovingRange(scenario);
