@@ -107,7 +107,7 @@ namespace LaserTracking.Detection
             }
 
             // What is known to move is no movement of the camera: where the rendered pictures are known, that is not guessed at.
-            if (_expected != null && _expected.State != PredictionState.Off)
+            if (_expected?.DelayUs != null)
                 _change.Hold();
             else
                 _change.Measure(image, rawNoise);
