@@ -15,10 +15,7 @@ namespace LaserTracking.Pipeline
         private bool _wasBlind;
         private bool _overflowed;
         private bool _hadPicture = true;
-        private bool _wasTrusted;
-        private PredictionState _reportedState;
-        private long _stateSinceUs;
-        private PredictionState _state;
+        private readonly PredictionHealth _prediction = new PredictionHealth();
 
         public PipelineHealth(PipelineSettings settings, IEventSink sink)
         {
@@ -47,7 +44,8 @@ namespace LaserTracking.Pipeline
 
         public void CheckDetections(Detections detections)
         {
-            CheckPrediction(detections);
+            if (_prediction.Check(detections) is string rendered)
+                Report(detections.FrameIndex, detections.TimeUs, HealthKind.Rendered, (detections.PredictedDelayUs ?? 0) * 1e-6, rendered);
             bool isBlind = detections.BlindShare > _settings.BlindShareLimit;
             if (isBlind && !_wasBlind)
                 Report(detections.FrameIndex, detections.TimeUs, HealthKind.Blind, detections.BlindShare, "too bright or too busy to see a dot in much of the picture; lower the exposure");
@@ -56,35 +54,6 @@ namespace LaserTracking.Pipeline
             if (overflows && !_overflowed)
                 Report(detections.FrameIndex, detections.TimeUs, HealthKind.Overflow, detections.OverflowCount, "so much changes at once that only the strongest spots are examined; a shot just now could be missed");
             _overflowed = overflows;
-        }
-
-        /// <summary>Says when the rendered pictures begin to be relied on, and after a second of not being, why.</summary>
-        private void CheckPrediction(Detections detections)
-        {
-            if (detections.Prediction != _state)
-                _stateSinceUs = detections.TimeUs;
-            _state = detections.Prediction;
-            double delayS = (detections.PredictedDelayUs ?? 0) * 1e-6;
-            bool isTrusted = _state == PredictionState.Trusted;
-            bool hasSettled = isTrusted || detections.TimeUs - _stateSinceUs >= 1_000_000;
-            if (_state == PredictionState.Off || !hasSettled || _state == _reportedState)
-                return;
-            _reportedState = _state;
-            _wasTrusted |= isTrusted;
-            Report(detections.FrameIndex, detections.TimeUs, HealthKind.Rendered, delayS, TextOf(_state, _wasTrusted));
-        }
-
-        private static string TextOf(PredictionState state, bool wasTrusted)
-        {
-            switch (state)
-            {
-                case PredictionState.Trusted: return "the rendered pictures are found in the camera's: shots count wherever they move";
-                case PredictionState.Learning: return "the rendered pictures are found in the camera's, their colours not yet; what moves counts as unknown";
-                case PredictionState.Doubtful: return "the screen is brighter than the rendered pictures explain; what moves counts as unknown; check calibration and exposure, and who stands before the screen";
-                default:
-                    return wasTrusted ? "the rendered pictures are not found in the camera's any more; what moves counts as unknown"
-                        : "the rendered pictures are not found in the camera's yet: nothing moves, or they are others; what moves counts as unknown";
-            }
         }
 
         public void ReportInput(FrameProblem problem, long timeUs) =>
