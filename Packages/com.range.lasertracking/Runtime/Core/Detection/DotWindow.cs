@@ -82,7 +82,7 @@ namespace LaserTracking.Detection
             }
 
             FindPeak();
-            if (candidate.IsAboveContent && _restlessness > MaxRestlessness * Peak)
+            if (candidate.ExceedsContent && _restlessness > MaxRestlessness * Peak)
                 KeepAboveContent(image, candidate, noise);
         }
 
