@@ -11,6 +11,9 @@ namespace LaserTracking.Detection
         /// <summary>A faint glow that is brightest nearer to the picture's edge than this, working px, has its source outside.</summary>
         private const int MinFaintToEdge = 2;
 
+        /// <summary>Relative rise, of 255, below which a glow that touches the picture's edge has to show its middle.</summary>
+        private const int FaintRise = 128;
+
         private readonly ShotDetectorSettings _settings;
         private readonly BlobMeasurer _blobs;
 
@@ -154,7 +157,9 @@ namespace LaserTracking.Detection
         private bool FailsAtEdge(in FrameView view, ref Candidate candidate)
         {
             int toEdge = Math.Min(Math.Min(candidate.SeedX, view.Width - 1 - candidate.SeedX), Math.Min(candidate.SeedY, view.Height - 1 - candidate.SeedY));
-            return Fails(ref candidate, toEdge < MinFaintToEdge, RejectionReason.CutByEdge, toEdge, MinFaintToEdge);
+            bool touches = candidate.Left == 0 || candidate.Top == 0 || candidate.Right == view.Width - 1 || candidate.Bottom == view.Height - 1;
+            int least = touches && candidate.PeakRelativeRise < FaintRise ? MinFaintToEdge + (candidate.Right - candidate.Left + candidate.Bottom - candidate.Top) / 6 : MinFaintToEdge;
+            return Fails(ref candidate, toEdge < least, RejectionReason.CutByEdge, toEdge, least);
         }
 
         private bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit, string? what = null)

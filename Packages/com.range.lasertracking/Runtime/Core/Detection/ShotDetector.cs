@@ -337,7 +337,7 @@ namespace LaserTracking.Detection
                 MayBeContent = candidate.MayBeContent,
                 WasAboveContent = _judge.IsContentKnown && !candidate.MayBeContent,
             };
-            if (candidate.IsOnset || known.Frames == 0)
+            if (known.Frames == 0)
                 remembered.RememberPlace(view, candidate);
             else
                 remembered.TakePlaceOf(known);

@@ -26,6 +26,9 @@ namespace LaserTracking.Tracking
 
         public bool IsReported;
 
+        /// <summary>It was lost while something moved at its place.</summary>
+        public bool IsCovered;
+
         /// <summary>Matched in the frame being processed.</summary>
         public bool IsSeen;
     }

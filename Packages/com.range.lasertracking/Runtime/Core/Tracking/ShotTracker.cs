@@ -176,7 +176,7 @@ namespace LaserTracking.Tracking
             }
 
             track.IsSeen = true;
-            if (!track.IsReported && dot.IsConclusive)
+            if (!track.IsReported && dot.IsConclusive && !IsBesideAnother(track, out double _))
                 Report(ref track, detections.FrameIndex);
             if (track.IsReported && _dotCount < MaxTracks)
                 _dots[_dotCount++] = new TrackedDot(track.Id, dot);
@@ -231,8 +231,18 @@ namespace LaserTracking.Tracking
                         isWaiting = !Drop(track, detections.FrameIndex - track.FirstFrame);
                     else if (glowPx <= _settings.VanishRadiusPx * _scale)
                         track.LastFrame = detections.FrameIndex;
+                    else if (IsBesideAnother(track, out double besidePx))
+                    {
+                        Reject(track.First.PositionPx, RejectionReason.Duplicate, besidePx, _settings.HaloRadiusPx * _scale);
+                        isWaiting = false;
+                    }
                     else
                         Report(ref track, detections.FrameIndex);
+                }
+                else if (track.IsReported && !track.IsSeen && track.LastFrame == _previousFrame && track.LastTimeUs - track.FirstTimeUs > _settings.CoveredAfterUs)
+                {
+                    double tracePx = NearestTracePx(detections, track.LastPx, out double glowPx);
+                    track.IsCovered = Math.Min(tracePx, glowPx) <= 2 * _settings.VanishRadiusPx * _scale;
                 }
                 else if (isOverdue)
                 {
@@ -244,6 +254,20 @@ namespace LaserTracking.Tracking
             }
 
             _trackCount = kept;
+        }
+
+        /// <summary>The halo of a shot of the same moment, or its faint first light; two at once so near would be strong both.</summary>
+        private bool IsBesideAnother(in DotTrack track, out double distancePx)
+        {
+            for (int i = 0; i < _trackCount; i++)
+            {
+                distancePx = (_tracks[i].First.PositionPx - track.First.PositionPx).Length;
+                if (_tracks[i].IsReported && Math.Abs(_tracks[i].FirstFrame - track.FirstFrame) <= 2 && distancePx <= _settings.HaloRadiusPx * _scale)
+                    return true;
+            }
+
+            distancePx = double.PositiveInfinity;
+            return false;
         }
 
         private bool Drop(in DotTrack track, int frames)
@@ -271,8 +295,8 @@ namespace LaserTracking.Tracking
             return nearest;
         }
 
-        /// <summary>On for longer than any flash: when it comes back soon, something passed before it.</summary>
-        private bool IsHeld(in DotTrack track) => track.LastTimeUs - track.FirstTimeUs > _settings.HeldAfterUs;
+        /// <summary>On for longer than any flash, or lost where things moved: when it comes back soon, something passed before it.</summary>
+        private bool IsHeld(in DotTrack track) => track.IsCovered || track.LastTimeUs - track.FirstTimeUs > _settings.HeldAfterUs;
 
         private void DropOld(long timeUs, int frameIndex)
         {

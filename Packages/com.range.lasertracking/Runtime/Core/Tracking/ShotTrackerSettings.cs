@@ -15,6 +15,12 @@ namespace LaserTracking.Tracking
         /// <summary>Light that lasts longer is no flash but a laser held on, µs, 0…10 s.</summary>
         public long HeldAfterUs { get; set; } = 350_000;
 
+        /// <summary>Light that lasted longer and is lost where things move may be covered by them, µs, 0…10 s.</summary>
+        public long CoveredAfterUs { get; set; } = 150_000;
+
+        /// <summary>A dot that has to wait for its proof is no shot of its own within this of one that began with it, px at 640, 0…640.</summary>
+        public double HaloRadiusPx { get; set; } = 20;
+
         /// <summary>For how long a laser held on may be out of sight and come back as the same dot, µs, 0…60 s.</summary>
         public long HeldMemoryUs { get; set; } = 1_000_000;
 
@@ -48,6 +54,8 @@ namespace LaserTracking.Tracking
             SettingCheck.InRange(nameof(LinkRadiusPx), LinkRadiusPx, 1, 640);
             SettingCheck.InRange(nameof(MemoryUs), MemoryUs, 0, 10_000_000);
             SettingCheck.InRange(nameof(HeldAfterUs), HeldAfterUs, 0, 10_000_000);
+            SettingCheck.InRange(nameof(CoveredAfterUs), CoveredAfterUs, 0, 10_000_000);
+            SettingCheck.InRange(nameof(HaloRadiusPx), HaloRadiusPx, 0, 640);
             SettingCheck.InRange(nameof(HeldMemoryUs), HeldMemoryUs, 0, 60_000_000);
             SettingCheck.InRange(nameof(MinTapGapUs), MinTapGapUs, 0, 10_000_000);
             SettingCheck.InRange(nameof(MaxWaitFrames), MaxWaitFrames, 1, 60);

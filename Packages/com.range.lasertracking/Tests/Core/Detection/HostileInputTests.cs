@@ -90,13 +90,14 @@ namespace LaserTracking.Detection
             RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(), null, false, null, recorder);
             pipeline.Begin(new SessionHeader("1.0.0", new SessionInput[0], null, "shots", null));
             var builder = new FrameBuilder(1000, 1000) { NoiseSigma = 0 };
+            var random = new Random(5);
             using (var frame = new Frame())
             {
                 for (int i = 0; i < 15; i++)
                 {
                     builder.Wall(40, 40, 40);
                     for (int n = 0; n < (i >= 5 ? 10000 : 0); n++)
-                        builder.Box(n % 100 * 10 + i - 5, n / 100 * 10, 3, 3, 255, 255, 255);
+                        builder.Box(n % 100 * 10 + random.Next(7), n / 100 * 10 + random.Next(7), 3, 3, 255, 255, 255);
                     builder.Write(frame, i, i * 33333);
                     pipeline.Process(frame);
                 }
