@@ -28,7 +28,7 @@ namespace LaserTracking.Host.Explanations
         /// <summary>The line above a section's first row; null: none.</summary>
         public static string? Heading(TestSection section) => section switch
         {
-            TestSection.Evidence => "for (+) and against (-) a laser dot, log-odds",
+            TestSection.Evidence => "for or against a laser dot, log-odds",
             TestSection.OneFrame => "does this frame alone suffice?",
             _ => null,
         };

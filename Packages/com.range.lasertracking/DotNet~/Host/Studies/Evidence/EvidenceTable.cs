@@ -40,9 +40,13 @@ namespace LaserTracking.Host.Studies.Evidence
         {
             IReadOnlyList<WeighedCandidate> all = training.Set.Candidates;
             int[] meant = Enumerable.Range(0, all.Count).Where(i => isMeant(all[i])).ToArray();
-            int NoDots(double[] logOdds) => meant.Count(i => all[i].Label == CandidateLabel.NoDot && logOdds[i] > limit);
+
+            // Nothing was left out where there is only one clip or simulation.
+            object NoDots(double[] logOdds) => meant.Any(i => double.IsNaN(logOdds[i])) ? double.NaN : meant.Count(i => all[i].Label == CandidateLabel.NoDot && logOdds[i] > limit);
             Proportion Dots(double[] logOdds)
             {
+                if (meant.Any(i => double.IsNaN(logOdds[i])))
+                    return new Proportion(0, 0);
                 bool[] found = meant.Where(i => all[i].Label == CandidateLabel.FirstDot).GroupBy(i => (all[i].Case, all[i].Group, all[i].Shot)).Select(shot => shot.Any(i => logOdds[i] > limit)).ToArray();
                 return new Proportion(found.Count(f => f), found.Length);
             }
