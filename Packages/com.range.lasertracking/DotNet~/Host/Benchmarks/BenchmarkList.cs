@@ -28,6 +28,7 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("dual-1080p", "1024×1024 16-bit infrared and 1920×1080 BGRA in, shots out; moving scene, 3 dots at 850 nm", () => Dual(true)),
             new Benchmark("dual-infrared-1080p", "the same without a search of colour: colour is read around infrared spots only, as in the published module", () => Dual(false)),
             new Benchmark("health-1080p", "1920×1080 BGRA frame in, checks of the picture itself; moving scene, 2 dots", Health),
+            new Benchmark("predict-1080p", "rendered frames known: what they cost on top of the search at 1920×1080; 640×360 pictures at 60 a second, everything moves", PredictionBenchmark.Prepare),
             new Benchmark("hands-640x576", "depth frame in, hands out; 2 people", Hands),
             new Benchmark("pair-multiuser", "4 shots of one frame to 4 hands", Pair),
             new Benchmark("decode-720p-mjpg", "one 1280×720 4:2:2 JPEG to YUY2", Decode),

@@ -24,6 +24,7 @@ namespace LaserTracking.Host.Commands
             var handOffset = new Option<long>("--hand-offset-us") { HelpName = "US", Description = "Added to the second camera's times, microseconds." };
             var calibration = new Option<string?>("--calibration") { HelpName = "FILE", Description = "Where the screen lies in the image (made by 'calibrate screen')." };
             var scene = new Option<string?>("--scene") { HelpName = "FILE.unity", Description = "The Unity scene (.unity) that was shown: shots are scored against it." };
+            var rendered = new Option<string?>("--rendered") { HelpName = "VIDEO", Description = "What the projector showed, on any clock: shots are found while it moves." };
             var detector = new Option<string>("--detector") { HelpName = "NAME", Description = "shots; paper: the published algorithm, faithfully; dual: infrared and colour together, for recordings that hold both.", DefaultValueFactory = _ => "shots" };
             var events = new Option<string?>("--events") { HelpName = "FILE", Description = "Writes events.jsonl there; - is standard output." };
             var rejected = new Option<string>("--rejected") { HelpName = "WHICH", Description = "Rejected candidates among the events: all (default); notable: without those that moving edges make, too faint, too small or not compact; none.", DefaultValueFactory = _ => "all" };
@@ -32,22 +33,28 @@ namespace LaserTracking.Host.Commands
             var paced = new Option<bool>("--paced") { Description = "Runs at the recording's own speed." };
             var exposure = new Option<double>("--exposure-us") { HelpName = "US", Description = "The camera's shutter, microseconds: narrows the uncertainty of time and place, and what is said about the picture." };
             var row = new Option<double>("--row-us") { HelpName = "US", Description = "Rolling shutter: delay from one row to the next, microseconds." };
-            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, detector, events, rejected, dots, report, paced, exposure, row };
+            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, rendered, detector, events, rejected, dots, report, paced, exposure, row };
             command.SetAction((parsed, interrupted) =>
             {
                 RangeSession.CreateDetector(parsed.GetValue(detector)!);
                 CameraTimingSettings timing = Timing(parsed.GetValue(exposure), parsed.GetValue(row));
                 RejectedLines which = SessionOutputs.ParseRejected(parsed.GetValue(rejected)!);
                 string name = parsed.GetValue(input)!;
-                string? handName = parsed.GetValue(hand), calibrationName = parsed.GetValue(calibration), sceneName = parsed.GetValue(scene);
+                string? handName = parsed.GetValue(hand), calibrationName = parsed.GetValue(calibration), sceneName = parsed.GetValue(scene), renderedName = parsed.GetValue(rendered);
                 foreach (string? result in new[] { parsed.GetValue(events), parsed.GetValue(dots) })
-                    ResultFile.CheckNotRead(result, name, handName, calibrationName, sceneName);
+                    ResultFile.CheckNotRead(result, name, handName, calibrationName, sceneName, renderedName);
                 RangeCalibration? geometry = calibrationName == null ? null : RangeCalibrationFile.Read(calibrationName);
                 SceneModel? model = sceneName == null ? null : UnitySceneReader.Read(sceneName);
                 if (model != null && geometry == null)
                     throw new InputException(sceneName!, "a scene needs the screen's place in the image", "add --calibration FILE");
                 if (handName != null && geometry?.HandCamera == null)
                     throw new InputException(handName, "the second camera's place is not known", "add --calibration FILE with a hand_camera");
+                if (renderedName != null && geometry == null)
+                    throw new InputException(renderedName, "the rendered frames need the screen's place in the image", "add --calibration FILE");
+                if (renderedName != null && parsed.GetValue(detector) != "shots")
+                    throw new InputException(renderedName, "only the detector shots uses rendered frames", "leave out --rendered or --detector");
+                string problem = "";
+                using RenderedVideo? video = renderedName == null ? null : RenderedVideo.Open(renderedName, name, geometry!, interrupted, out problem);
                 IFrameSource screenFrames = FrameSources.OpenScreenCamera(name);
                 InfraredMapping? infraredMapping = InfraredMappings.Find(screenFrames, geometry, out string? infraredProblem);
                 using IFrameSource screenCamera = new PrefetchingFrameSource(screenFrames);
@@ -55,6 +62,8 @@ namespace LaserTracking.Host.Commands
                 var inputs = new List<SessionInput> { InputHash.Of(name) };
                 if (handName != null)
                     inputs.Add(InputHash.Of(handName));
+                if (renderedName != null)
+                    inputs.Add(InputHash.Of(renderedName));
                 var plan = new SessionPlan
                 {
                     ScreenCamera = screenCamera,
@@ -63,6 +72,8 @@ namespace LaserTracking.Host.Commands
                     Calibration = geometry,
                     CalibrationName = calibrationName,
                     Scene = model,
+                    Rendered = video,
+                    InputProblem = problem,
                     Detector = parsed.GetValue(detector)!,
                     InfraredMapping = infraredMapping,
                     InfraredProblem = infraredProblem,

@@ -21,10 +21,11 @@ namespace LaserTracking.Host.Sessions
         /// <summary>The detectors by the names of the command line.</summary>
         /// <param name="name">As on the command line.</param>
         /// <param name="infraredMapping">For "dual"; null: equal fields of view.</param>
+        /// <param name="expected">For "shots"; null: the rendered pictures are not known.</param>
         /// <exception cref="InputException">There is no such detector.</exception>
-        public static IShotDetector CreateDetector(string name, InfraredMapping? infraredMapping = null) => name switch
+        public static IShotDetector CreateDetector(string name, InfraredMapping? infraredMapping = null, ExpectedView? expected = null) => name switch
         {
-            "shots" => new ShotDetector(),
+            "shots" => new ShotDetector(null, expected),
             "paper" => new PaperShotDetector(),
             "dual" => new DualShotDetector(null, infraredMapping),
             _ => throw new InputException("--detector", $"there is no detector \"{name}\"", "known are shots, paper and dual"),
@@ -38,7 +39,7 @@ namespace LaserTracking.Host.Sessions
         public static bool Run(SessionPlan plan, IEventSink sink, CancellationToken interrupted, SessionRecorder? recorder = null)
         {
             var pipeline = RangePipeline.CreateDefault(
-                CreateDetector(plan.Detector, plan.InfraredMapping),
+                CreateDetector(plan.Detector, plan.InfraredMapping, plan.Rendered?.Expected),
                 plan.Calibration,
                 plan.HandCamera != null,
                 plan.Scene == null ? null : new ShotScorer(plan.Scene),
@@ -54,6 +55,8 @@ namespace LaserTracking.Host.Sessions
             ReportOtherSizes(pipeline, plan);
             if (plan.Detector == "dual" && plan.InfraredProblem != null)
                 pipeline.ReportInputProblem(new FrameProblem(-1, plan.InfraredProblem));
+            if (plan.InputProblem.Length > 0)
+                pipeline.ReportInputProblem(new FrameProblem(-1, plan.InputProblem));
 
             var watch = Stopwatch.StartNew();
             using var progress = new ProgressLine();
@@ -63,6 +66,7 @@ namespace LaserTracking.Host.Sessions
             runner.BeforeFrame = frame =>
             {
                 pace.WaitFor(frame.TimeUs);
+                plan.Rendered?.AdvanceTo(frame.TimeUs);
                 progress.Show(ProgressText(frame, plan.ScreenCamera.Info, watch));
                 begun = Stopwatch.GetTimestamp();
             };

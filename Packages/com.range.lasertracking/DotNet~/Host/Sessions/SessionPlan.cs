@@ -22,6 +22,12 @@ namespace LaserTracking.Host.Sessions
 
         public SceneModel? Scene { get; init; }
 
+        /// <summary>What the projector showed, on the camera's clock.</summary>
+        public RenderedVideo? Rendered { get; init; }
+
+        /// <summary>What is wrong with an input as a whole, for the first health line; empty: nothing.</summary>
+        public string InputProblem { get; init; } = "";
+
         /// <summary>From infrared to colour px, for the detector "dual"; null: equal fields of view.</summary>
         public InfraredMapping? InfraredMapping { get; init; }
 

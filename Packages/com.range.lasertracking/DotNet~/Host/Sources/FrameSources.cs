@@ -46,6 +46,15 @@ namespace LaserTracking.Host.Sources
             }
         }
 
+        /// <summary>What a projector showed: a video or a folder of pictures, not larger than there is use for.</summary>
+        /// <exception cref="InputException">The input cannot be used at all.</exception>
+        public static IFrameSource OpenPictures(string path) => Detect(path) switch
+        {
+            FrameSourceKind.ImageFolder => new ImageFolderSource(path),
+            FrameSourceKind.AzureKinectRecording => throw new InputException(path, "this is a camera's recording, not what the projector showed", "give a video of the rendered frames"),
+            _ => new VideoSource(path, Detection.RenderedFrameHistory.MaxWidthPx),
+        };
+
         /// <summary>Camera 1: the depth of a recording.</summary>
         /// <exception cref="InputException">It holds no depth, or cannot be used at all.</exception>
         public static IFrameSource OpenHandCamera(string path)

@@ -15,17 +15,22 @@ namespace LaserTracking.Host.Sources
     {
         private readonly VideoProbe _probe;
         private readonly FfmpegFrameStream _stream;
+        private readonly int _width;
+        private readonly int _height;
         private readonly List<FrameProblem> _problems = new();
         private int _nextIndex;
         private bool _ended;
 
+        /// <param name="path">The file.</param>
+        /// <param name="maxWidth">Wider pictures are scaled down to this width, px.</param>
         /// <exception cref="InputException">ffmpeg is missing, or the file is no video or holds no frame.</exception>
-        public VideoSource(string path)
+        public VideoSource(string path, int maxWidth = int.MaxValue)
         {
             _probe = VideoProbe.Open(path);
-            Info = new FrameSourceInfo(Path.GetFileName(path), _probe.Width, _probe.Height, _probe.FramesPerSecond, _probe.DurationUs);
-            _stream = new FfmpegFrameStream(
-                FfmpegProgram.Require("ffmpeg", path), ["-i", VideoProbe.InputOf(path)], _probe.Width, _probe.Height);
+            _width = Math.Min(maxWidth, _probe.Width);
+            _height = _width == _probe.Width ? _probe.Height : Math.Max(1, (int)Math.Round((double)_probe.Height * _width / _probe.Width));
+            Info = new FrameSourceInfo(Path.GetFileName(path), _width, _height, _probe.FramesPerSecond, _probe.DurationUs);
+            _stream = new FfmpegFrameStream(FfmpegProgram.Require("ffmpeg", path), ["-i", VideoProbe.InputOf(path)], _width, _height);
             if (_stream.TryPeekTime(out _))
                 return;
             _stream.WaitForExit();
@@ -57,7 +62,7 @@ namespace LaserTracking.Host.Sources
             if (timeUs == FfmpegStatusReader.NoTime)
                 timeUs = (long)Math.Round(_nextIndex * 1e6 / (_probe.FramesPerSecond > 0 ? _probe.FramesPerSecond : 25));
             frame.Begin(_nextIndex, timeUs);
-            frame.Color.Reset(PixelFormat.Bgra32, _probe.Width, _probe.Height, timeUs);
+            frame.Color.Reset(PixelFormat.Bgra32, _width, _height, timeUs);
             if (_stream.TryReadPixels(frame.Color.Bytes))
             {
                 _nextIndex++;

@@ -14,6 +14,7 @@ namespace LaserTracking.Host.Studies
             new ClipStressStudy(),
             new AmbientStudy(),
             new AdvisorStudy(),
+            new Moving.MovingStudy(),
             new PastedDotsStudy(),
             new PositionStudy(),
             new EllipseStudy(),

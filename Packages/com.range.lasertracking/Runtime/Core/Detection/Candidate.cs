@@ -78,6 +78,12 @@ namespace LaserTracking.Detection
         /// <summary>Brighter than anything that the projected picture has shown: grown and measured by what exceeds that.</summary>
         public bool IsAboveContent;
 
+        /// <summary>Brighter than the rendered pictures explain: measured by what exceeds the expected view.</summary>
+        public bool IsAboveExpected;
+
+        /// <summary>Its brightest pixel exceeds anything that the projected picture has shown.</summary>
+        public bool ExceedsContent;
+
         /// <summary>Brightness of the projected picture's brightest parts, levels; from it light is measured when above content.</summary>
         public int ContentLevel;
 

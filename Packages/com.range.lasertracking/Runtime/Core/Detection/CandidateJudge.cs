@@ -68,6 +68,8 @@ namespace LaserTracking.Detection
             double fresh = view.Change(candidate.SeedY * view.Width + candidate.SeedX, candidate.Plane) / (double)candidate.PeakRise;
             candidate.IsOnset = fresh >= 0.5;
             int excess = SurroundingsMeasurer.PeakLevel(view, candidate) - ContentLevel;
+            candidate.ContentLevel = ContentLevel;
+            candidate.ExceedsContent = IsContentKnown && excess >= _settings.MinContentExcess;
             candidate.MayBeContent = excess < _settings.MinContentExcess && (IsContentKnown || candidate.ActivityAround > _settings.QuietActivity);
             bool isProvenByLevel = IsContentKnown && excess >= ConclusiveExcess;
             if (memory.TryFind(candidate, out known))
@@ -111,7 +113,7 @@ namespace LaserTracking.Detection
         {
             known = default;
             double area = Scale * Scale;
-            candidate.IsAboveContent = true;
+            candidate.IsAboveContent = candidate.ExceedsContent = true;
             candidate.ContentLevel = ContentLevel;
             candidate.CenterX = candidate.SeedX;
             candidate.CenterY = candidate.SeedY;

@@ -42,6 +42,11 @@ namespace LaserTracking.Detection
 
         /// <summary>The part of it that is too bright: no room is left above the background.</summary>
         public double SaturatedShare { get; set; }
+        /// <summary>How far the detector could rely on the rendered pictures in this frame.</summary>
+        public PredictionState Prediction { get; set; }
+
+        /// <summary>From drawing a picture to the middle of the exposure that shows it, µs; null: not known.</summary>
+        public long? PredictedDelayUs { get; set; }
 
         public void Begin(int frameIndex, long timeUs)
         {
@@ -51,6 +56,8 @@ namespace LaserTracking.Detection
             BlindShare = SaturatedShare = 0;
             ImageWidthPx = 0;
             ImageHeightPx = 0;
+            Prediction = PredictionState.Off;
+            PredictedDelayUs = null;
         }
 
         public void Add(in Dot dot)

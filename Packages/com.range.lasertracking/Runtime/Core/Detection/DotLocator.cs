@@ -27,6 +27,10 @@ namespace LaserTracking.Detection
 
         private const int MaxSteps = 8;
 
+        /// <summary>Farthest that light may lie from the middle of the pixels that rose, working px and share of their box.</summary>
+        private const double MaxAwayPx = 1.5;
+        private const double MaxAwayShare = 0.25;
+
         private readonly DotWindow _window = new DotWindow();
         private double _threshold, _sum, _x, _y, _xx, _xy, _yy;
 
@@ -36,9 +40,10 @@ namespace LaserTracking.Detection
             _window.Fill(image, view, factor, candidate, noise);
             dot.Peak = _window.PeakLevel;
             dot.AreaPx = SoftCentroid();
+            var center = new Vector2D((candidate.CenterX + view.ShiftX + 0.5) * factor - 0.5, (candidate.CenterY + view.ShiftY + 0.5) * factor - 0.5);
             if (_sum <= 0)
             {
-                dot.PositionPx = new Vector2D((candidate.CenterX + view.ShiftX + 0.5) * factor - 0.5, (candidate.CenterY + view.ShiftY + 0.5) * factor - 0.5);
+                dot.PositionPx = center;
                 dot.CovariancePx = Covariance2D.Isotropic(factor);
                 return;
             }
@@ -49,6 +54,18 @@ namespace LaserTracking.Detection
             if (isDistinct)
                 dot.StreakPx = streak;
             Refine(shape, ref dot);
+            KeepNear(center, factor * Math.Max(MaxAwayPx, MaxAwayShare * Math.Max(candidate.Right - candidate.Left + 1, candidate.Bottom - candidate.Top + 1)), ref dot);
+        }
+
+        /// <summary>On over-exposed backgrounds little of a dot is left to weigh: where that little leads away from what was found, the middle of the find holds.</summary>
+        private static void KeepNear(Vector2D center, double maxAway, ref Dot dot)
+        {
+            double away = (dot.PositionPx - center).Length;
+            if (away <= maxAway)
+                return;
+            dot.PositionPx = center;
+            double variance = 0.25 * away * away;
+            dot.CovariancePx = new Covariance2D(dot.CovariancePx.XX + variance, dot.CovariancePx.XY, dot.CovariancePx.YY + variance);
         }
 
         /// <summary>Centroid and moments of the light above the soft threshold, in window pixels. Gives the area at half of the peak.</summary>

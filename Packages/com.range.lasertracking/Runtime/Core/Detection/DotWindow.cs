@@ -82,7 +82,7 @@ namespace LaserTracking.Detection
             }
 
             FindPeak();
-            if (candidate.IsAboveContent && _restlessness > MaxRestlessness * Peak)
+            if (candidate.ExceedsContent && _restlessness > MaxRestlessness * Peak)
                 KeepAboveContent(image, candidate, noise);
         }
 
@@ -104,7 +104,7 @@ namespace LaserTracking.Detection
                         PeakLevel = Math.Max(PeakLevel, FrameView.Level(pixel, DetectionPlane.Largest));
                         Clipped[i] = IsClipped(pixel, blue, green, red, total);
                         Light[i] = hasLuma ? PixelRow.Luma(image, Top + y, Left + x) : Weigh(isReduced ? view.Now[reduced] : pixel, blue, green, red);
-                        if (candidate.IsOnset)
+                        if (candidate.IsOnset || candidate.IsAboveExpected)
                             _past[i] = Weigh(Unclipped(isReduced ? view.Now[reduced] : pixel, view.Before[reduced]), blue, green, red);
                         else
                             _past[i] = Clipped[i] ? _usualEnvelope : view.Envelope(reduced, candidate.Plane);
@@ -205,7 +205,7 @@ namespace LaserTracking.Detection
                     uint now = view.Now[i];
 
                     // Of a dot that goes on nobody knows the wall's colour: its own height counts.
-                    uint before = candidate.IsOnset ? view.Before[i] : 0;
+                    uint before = candidate.IsOnset || candidate.IsAboveExpected ? view.Before[i] : 0;
                     sumBlue += (int)(now & 255) - (int)(before & 255);
                     sumGreen += (int)(now >> 8 & 255) - (int)(before >> 8 & 255);
                     sumRed += (int)(now >> 16 & 255) - (int)(before >> 16 & 255);

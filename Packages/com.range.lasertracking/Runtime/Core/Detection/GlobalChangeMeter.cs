@@ -69,6 +69,15 @@ namespace LaserTracking.Detection
             Gain = 1;
         }
 
+        /// <summary>In place of <see cref="Measure"/>: the camera is where it was at first, and as bright as in the last frame.</summary>
+        public void Hold()
+        {
+            Gain = 1;
+            ShiftX = ShiftY = 0;
+            IsBetweenPixels = false;
+            _steadyFrames++;
+        }
+
         public void Measure(Image image, double noise)
         {
             Gain = 1;

@@ -46,5 +46,8 @@ namespace LaserTracking.Detection
 
         /// <summary>Faint, and brightest where the picture ends: most of it lies outside. Value: distance to the edge, working px.</summary>
         CutByEdge,
+
+        /// <summary>The rendered picture shows light as bright as this there. Value: levels above the expected view.</summary>
+        Rendered,
     }
 }

@@ -31,17 +31,23 @@ namespace LaserTracking.Detection
         private readonly Candidate[] _candidates;
         private readonly Candidate[] _seeds;
         private readonly int[] _seedOrder;
+        private readonly ExpectedView? _expected;
+        private readonly ExpectedLightJudge? _expectedJudge;
         private int _candidateCount;
         private bool _isSmooth;
+        private bool _isPredicted;
 
         /// <param name="settings">Defaults when absent. Copied.</param>
+        /// <param name="expected">What the camera should see of the projected picture, where the rendered pictures are known.</param>
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
-        public ShotDetector(ShotDetectorSettings? settings = null)
+        public ShotDetector(ShotDetectorSettings? settings = null, ExpectedView? expected = null)
         {
             _settings = settings?.Clone() ?? new ShotDetectorSettings();
             _settings.Validate();
             _blind = new BlindMeter(_settings);
             _judge = new CandidateJudge(_settings, _blobs);
+            _expected = expected;
+            _expectedJudge = expected == null ? null : new ExpectedLightJudge(_settings, _blobs, expected);
             _candidates = new Candidate[4 * _settings.MaxCandidates];
             _seeds = new Candidate[_settings.MaxCandidates];
             _seedOrder = new int[_settings.MaxCandidates];
@@ -57,7 +63,12 @@ namespace LaserTracking.Detection
         public DetectionTrace? Trace
         {
             get => _judge.Trace;
-            set => _judge.Trace = value;
+            set
+            {
+                _judge.Trace = value;
+                if (_expectedJudge != null)
+                    _expectedJudge.Trace = value;
+            }
         }
 
         /// <summary>Everything examined in the last frame, for tests and explanations.</summary>
@@ -66,9 +77,16 @@ namespace LaserTracking.Detection
         /// <summary>To ask what it would have taken in the last frame.</summary>
         internal DetectorProbe Probe { get; }
 
+        /// <summary>Temporal noise of the working picture, levels; not misled by moving content where that is known.</summary>
+        private double Noise => _isPredicted && _expected!.Noise > 0 ? _expected.Noise : _noise.Sigma;
+
         public void SetScreenPolygon(Vector2D[] cornersPx) => _mask.Set(cornersPx);
 
-        public void Reset() => _planes.Reset();
+        public void Reset()
+        {
+            _planes.Reset();
+            _expected?.Reset();
+        }
 
         public void Process(Frame frame, Detections detections)
         {
@@ -83,16 +101,22 @@ namespace LaserTracking.Detection
                 Restart();
             
             // Noise of the raw picture decides, with a gap between on and off: a smoothed picture has three eighths of it.
-            double rawNoise = _isSmooth ? _noise.Sigma / 0.375 : _noise.Sigma;
+            double rawNoise = _isSmooth ? Noise / 0.375 : Noise;
             bool isSmooth = rawNoise > (_isSmooth ? 0.8 : 1) * _settings.SmoothingNoise;
             if (isSmooth != _isSmooth)
             {
                 _isSmooth = isSmooth;
                 _noise.Scale(isSmooth ? 0.375 : 1 / 0.375);
+                if (_expected != null)
+                    _expected.Noise *= isSmooth ? 0.375 : 1 / 0.375;
             }
 
             Probe.IsSmooth = _isSmooth;
-            _change.Measure(image, rawNoise);
+            // What is known to move is no movement of the camera: where the rendered pictures are known, that is not guessed at.
+            if (_expected?.DelayUs != null)
+                _change.Hold();
+            else
+                _change.Measure(image, rawNoise);
             _content.Scale(_change.Gain);
             _planes.Update(image, _change, _change.IsUnsteady ? (frame.Index & 3) / 3 : _settings.EnvelopeDecay, _isSmooth, _settings.UseVectors);
             if (_planes.FrameCount == 2)
@@ -132,36 +156,51 @@ namespace LaserTracking.Detection
             _content.Update(view);
             _judge.ContentLevel = _content.Level;
             _candidateCount = 0;
-            SearchPlane(image, view, DetectionPlane.Smallest, _planes.SmallestTiles, detections);
-            SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, detections);
+            _isPredicted = _expected != null
+                && _expected.Update(view, _planes.Factor, image.Width, image.Height, detections.TimeUs, _noise.Sigma, _settings.UseVectors);
+            detections.Prediction = _expected?.State ?? PredictionState.Off;
+            detections.PredictedDelayUs = _expected?.DelayUs;
+            if (_isPredicted)
+                SearchAboveExpected(image, view, _expected!, detections);
+            SearchPlane(image, view, DetectionPlane.Smallest, _planes.SmallestTiles, GateFloor, detections);
+            SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, GateFloor, detections);
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
             Trace?.Spot?.Look(view, _judge.IsContentKnown ? _content.Level + _settings.MinContentExcess : 256, _memory);
-            _blind.Measure(view, _planes.SmallestTiles, _mask, _planes.Factor, _noise.Sigma, _judge.IsContentKnown, detections);
-            _memory.ReportTraces(view, _noise.Sigma, detections);
+            if (_expected != null)
+                _expected.DotCount = detections.Dots.Length;
+            _blind.Measure(view, _planes.SmallestTiles, _mask, _planes.Factor, Noise, _judge.IsContentKnown, detections);
+            if (_isPredicted)
+                detections.BlindShare = _expected!.BlindShare();
+            _memory.ReportTraces(view, Noise, detections);
             _memory.Protect(view, _planes.SmallestTiles, _planes.LargestTiles);
             _planes.SmallestTiles.Learn();
             _planes.LargestTiles.Learn();
         }
 
-        private void SearchPlane(Image image, in FrameView view, DetectionPlane plane, TileGrid tiles, Detections detections)
+        private void SearchPlane(Image image, in FrameView view, DetectionPlane plane, TileGrid tiles, int floor, Detections detections)
         {
             // Two rounds: a tile may hold two dots. The highest rise goes first, or a faint neighbour would grow into it and take it along.
             _blobs.Begin();
-            ReadOnlySpan<int> hot = tiles.FindHot(GateFloor, _settings.MaxCandidates);
+            ReadOnlySpan<int> hot = tiles.FindHot(floor, _settings.MaxCandidates);
             detections.Skip(tiles.HotCount - hot.Length);
-            Trace?.Spot?.SetTile(plane, tiles, hot, GateFloor, view, _planes.Factor);
+            bool isAboveExpected = tiles == _expected?.Tiles;
+            if (!isAboveExpected)
+                Trace?.Spot?.SetTile(plane, tiles, hot, floor, view, _planes.Factor);
             for (int round = 0; round < 2; round++)
             {
                 int seeds = 0, slot = 0;
                 foreach (int tile in hot)
                 {
+                    if (_isPredicted && _expected!.ExplainsTile(tile))
+                        continue;
                     if (round == 0)
                         _finder.Fill(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot);
                     if (!_finder.TryFind(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot++, out Candidate candidate))
                         continue;
                     candidate.Activity = tiles.Activity(tile);
                     candidate.ActivityAround = tiles.ActivityAround(tile);
+                    candidate.IsAboveExpected = isAboveExpected;
                     _seeds[seeds] = candidate;
                     _seedOrder[seeds] = seeds - (candidate.PeakRelativeRise << 16);
                     seeds++;
@@ -187,7 +226,7 @@ namespace LaserTracking.Detection
             _blobs.Begin();
             for (int tile = 0; tile < tiles.Columns * tiles.Rows && _candidateCount < _candidates.Length; tile++)
             {
-                if (tiles.Onset(tile) < _settings.MinContentExcess / 2
+                if (tiles.Onset(tile) < _settings.MinContentExcess / 2 || (_isPredicted && _expected!.ExplainsTile(tile))
                     || !_finder.TryFindExcess(view, tile % tiles.Columns, tile / tiles.Columns, limit, out Candidate candidate))
                     continue;
                 candidate.Activity = tiles.Activity(tile);
@@ -197,10 +236,28 @@ namespace LaserTracking.Detection
             }
         }
 
+        /// <summary>Light that is not the projected picture's, with the expected view in the place of the pixels' past.</summary>
+        private void SearchAboveExpected(Image image, in FrameView view, ExpectedView expected, Detections detections)
+        {
+            fixed (byte* reference = expected.Reference)
+            fixed (uint* picture = expected.Picture)
+            {
+                FrameView against = view;
+                against.OldLargest = reference;
+                against.Before = picture;
+                against.IsBetweenPixels = false;
+                SearchPlane(image, against, DetectionPlane.Largest, expected.Tiles, expected.MinExcess - 1, detections);
+            }
+        }
+
         private void Examine(Image image, in FrameView view, ref Candidate candidate, Detections detections)
         {
             RememberedDot known;
-            if (candidate.IsAboveContent)
+            if (candidate.IsAboveExpected)
+                _expectedJudge!.Judge(view, ref candidate, _judge.Scale, Noise, _memory, out known);
+            else if (_isPredicted && _expected!.Explains(view, candidate, out int excess))
+                _expectedJudge!.RejectExplained(ref candidate, excess, out known);
+            else if (candidate.IsAboveContent)
                 _judge.JudgeAboveContent(view, ref candidate, _memory, out known);
             else
                 _judge.Judge(view, ref candidate, _memory, out known);
@@ -237,7 +294,7 @@ namespace LaserTracking.Detection
             }
 
             var dot = new Dot { IsConclusive = candidate.IsConclusive, IsOnset = candidate.IsOnset, MayBeContent = candidate.MayBeContent };
-            _locator.Locate(image, view, factor, candidate, _noise.Sigma, ref dot);
+            _locator.Locate(image, view, factor, candidate, Noise, ref dot);
             dot.Color = candidate.IsOnset || known.Frames == 0 ? ColorOf(candidate) : known.Color;
             dot.Factors = ConfidenceModel.Of(candidate, AwayShare(dot.PositionPx, image));
             dot.Confidence = Math.Min(1, dot.Factors.Sum);

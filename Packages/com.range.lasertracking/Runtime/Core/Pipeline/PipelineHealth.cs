@@ -31,6 +31,7 @@ namespace LaserTracking.Pipeline
         private Condition _blind;
         private Condition _overflow;
         private bool _hadPicture = true;
+        private readonly PredictionHealth _prediction = new PredictionHealth();
 
         /// <param name="settings">Of the pipeline.</param>
         /// <param name="sink">Receives what is noticed.</param>
@@ -64,6 +65,8 @@ namespace LaserTracking.Pipeline
         {
             _health.Begin(detections.FrameIndex, detections.TimeUs);
             Advise(frame);
+            if (_prediction.Check(detections) is string rendered)
+                _health.Say(HealthKind.Rendered, (detections.PredictedDelayUs ?? 0) * 1e-6, rendered);
             double blind = detections.BlindShare, limit = _settings.BlindShareLimit;
             if (_blind.Update(blind > limit, blind <= 0.7 * limit, detections.TimeUs, BlindAfterUs, SeeingAfterUs))
                 _health.Say(HealthKind.Blind, blind, _blind.IsOn ? BlindText(blind, detections.SaturatedShare) : FormattableString.Invariant($"a dot can be seen again in {(1 - blind) * 100:F0} % of the screen"));

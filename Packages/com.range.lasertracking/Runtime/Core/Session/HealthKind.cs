@@ -38,5 +38,8 @@ namespace LaserTracking.Session
 
         /// <summary>What can be seen here and what cannot. Value: smallest power or contrast that is caught.</summary>
         Advice = 11,
+
+        /// <summary>The expected view of the rendered pictures begins or ceases to be relied on. Value: delay from drawing to seeing, s.</summary>
+        Rendered = 12,
     }
 }

@@ -57,7 +57,7 @@ namespace LaserTracking.Simulation
 
             Calibration = new RangeCalibration(_colorGeometry.Screen, color.Width, color.Height, _depthGeometry?.HandCamera);
             Truth = TruthBuilder.Build(scenario, view, _plan, _motions, _light, _optics, _depthTiming);
-            _assets = new PictureAssets(view, scenario.Projector);
+            _assets = new PictureAssets(view, scenario.Projector, scenario.Seed);
         }
 
         public SceneModel Scene { get; }
@@ -86,6 +86,12 @@ namespace LaserTracking.Simulation
                 throw new InvalidOperationException("this scenario has no depth camera");
             return new SimulatedDepthSource(_scenario, _depthGeometry, _motions, _depthTiming);
         }
+
+        /// <summary>
+        /// A new stream of the pictures that the projector was given, from the beginning; each carries the time at which it was drawn
+        /// on camera 0's clock. Shown <see cref="ProjectorSettings.DelayMs"/> later.
+        /// </summary>
+        public IFrameSource CreatePictureSource() => new SimulatedPictureSource(_scenario, _assets, Truth);
 
         /// <summary>Draws the picture that the projector was given at a true time (BGRA), for reports and as the known rendered frame.</summary>
         public void DrawPicture(double trueUs, Image picture)

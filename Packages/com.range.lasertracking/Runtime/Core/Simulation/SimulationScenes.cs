@@ -26,6 +26,10 @@ namespace LaserTracking.Simulation
                 new Vector3D(0, 1.6, -2.4), 1, objects);
         }
 
+        /// <summary>A screen of 3.2 × 1.8 m without targets: for studies of moving content.</summary>
+        public static SceneModel Empty() => new SceneModel("Empty range", new Pose(new Vector3D(0, 1.5, 0), Rotation3D.Identity), new Vector2D(3.2, 1.8),
+            new Vector3D(0, 1.6, -2.4), 1, new SceneObject[0]);
+
         private static MotionPath MotionPathNone() => new MotionPath(MotionKind.None, default, 0, 0);
 
         private static SceneObject Target(string name, TargetDefinition definition, double x, double y, double z, MotionPath motion)

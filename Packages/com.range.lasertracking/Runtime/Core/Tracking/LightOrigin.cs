@@ -22,6 +22,9 @@ namespace LaserTracking.Tracking
         /// <summary>Of shorter streaks, px at 640, the ends are no surer than the middle: a faint first light is ragged.</summary>
         private const double MinShiftedPx = 8;
 
+        /// <summary>Least way along the streak until the next frame, through its length.</summary>
+        private const double MinWayShare = 0.6;
+
         /// <summary>Error of a streak's end through its length.</summary>
         private const double EndError = 0.2;
 
@@ -82,7 +85,9 @@ namespace LaserTracking.Tracking
                 if (dot.StreakPx.LengthSquared > 0 && wayPx.LengthSquared > 0)
                 {
                     dot.StreakPx = Vector2D.Dot(way, wayPx) < 0 ? way * -1 : way;
-                    if (length >= MinShiftedPx * scale)
+
+                    // A dot that smears over a length in an exposure goes on by as much; what only spills over does not.
+                    if (length >= MinShiftedPx * scale && Math.Abs(Vector2D.Dot(way, wayPx)) >= MinWayShare * length * length)
                     {
                         dot.PositionPx -= dot.StreakPx * 0.5;
                         reach = before + EndError * length;

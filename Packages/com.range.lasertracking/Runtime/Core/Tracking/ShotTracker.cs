@@ -155,7 +155,7 @@ namespace LaserTracking.Tracking
         private void Continue(ref DotTrack track, in Dot dot, Detections detections)
         {
             bool isTap = track.IsReported && dot.IsOnset && detections.FrameIndex - track.LastFrame >= 2
-                && detections.TimeUs - track.LastTimeUs >= _settings.MinTapGapUs;
+                && detections.TimeUs - track.LastTimeUs >= _settings.MinTapGapUs && !IsHeld(track);
             if (isTap)
             {
                 // The old flash ended in the dark frame between; the laser stays the same one, so the track keeps its number.
@@ -271,12 +271,15 @@ namespace LaserTracking.Tracking
             return nearest;
         }
 
+        /// <summary>On for longer than any flash: when it comes back soon, something passed before it.</summary>
+        private bool IsHeld(in DotTrack track) => track.LastTimeUs - track.FirstTimeUs > _settings.HeldAfterUs;
+
         private void DropOld(long timeUs, int frameIndex)
         {
             int kept = 0;
             for (int i = 0; i < _trackCount; i++)
             {
-                bool isOver = frameIndex - _tracks[i].LastFrame > 2 && timeUs - _tracks[i].LastTimeUs > _settings.MemoryUs;
+                bool isOver = frameIndex - _tracks[i].LastFrame > 2 && timeUs - _tracks[i].LastTimeUs > (IsHeld(_tracks[i]) ? _settings.HeldMemoryUs : _settings.MemoryUs);
 
                 // Clocks that stand still must not keep tracks for ever.
                 isOver |= frameIndex - _tracks[i].LastFrame > 60;

@@ -12,6 +12,12 @@ namespace LaserTracking.Tracking
         /// <summary>A track that shows no dot for longer is over, µs, 0…10 s. Two frames are allowed at any frame rate.</summary>
         public long MemoryUs { get; set; } = 90_000;
 
+        /// <summary>Light that lasts longer is no flash but a laser held on, µs, 0…10 s.</summary>
+        public long HeldAfterUs { get; set; } = 350_000;
+
+        /// <summary>For how long a laser held on may be out of sight and come back as the same dot, µs, 0…60 s.</summary>
+        public long HeldMemoryUs { get; set; } = 1_000_000;
+
         /// <summary>
         /// A dot that begins anew on a track after darkness for at least this long is a new shot (double tap), µs, 0…10 s. Measured
         /// from the last frame that showed the light; at least one dark frame must lie between.
@@ -41,6 +47,8 @@ namespace LaserTracking.Tracking
         {
             SettingCheck.InRange(nameof(LinkRadiusPx), LinkRadiusPx, 1, 640);
             SettingCheck.InRange(nameof(MemoryUs), MemoryUs, 0, 10_000_000);
+            SettingCheck.InRange(nameof(HeldAfterUs), HeldAfterUs, 0, 10_000_000);
+            SettingCheck.InRange(nameof(HeldMemoryUs), HeldMemoryUs, 0, 60_000_000);
             SettingCheck.InRange(nameof(MinTapGapUs), MinTapGapUs, 0, 10_000_000);
             SettingCheck.InRange(nameof(MaxWaitFrames), MaxWaitFrames, 1, 60);
             SettingCheck.InRange(nameof(VanishRadiusPx), VanishRadiusPx, 0, 640);

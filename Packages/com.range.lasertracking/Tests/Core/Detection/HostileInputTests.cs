@@ -92,7 +92,7 @@ namespace LaserTracking.Detection
             var builder = new FrameBuilder(1000, 1000) { NoiseSigma = 0 };
             using (var frame = new Frame())
             {
-                for (int i = 0; i < 7; i++)
+                for (int i = 0; i < 15; i++)
                 {
                     builder.Wall(40, 40, 40);
                     for (int n = 0; n < (i >= 5 ? 10000 : 0); n++)
@@ -107,7 +107,7 @@ namespace LaserTracking.Detection
             foreach (HealthEvent health in recorder.Health)
                 overflows += health.Kind == HealthKind.Overflow ? 1 : 0;
             Assert.That(overflows, Is.EqualTo(1));
-            Assert.That(recorder.ShotsByTime().Length, Is.LessThanOrEqualTo(2 * ShotTracker.MaxShotsPerFrame));
+            Assert.That(recorder.ShotsByTime().Length, Is.LessThanOrEqualTo(10 * ShotTracker.MaxShotsPerFrame));
         }
 
         [TestCase(0)]

@@ -107,6 +107,7 @@ namespace LaserTracking.Session
                 case RejectionReason.LowConfidence: return "confidence below the limit";
                 case RejectionReason.NotConfirmed: return "doubtful, and it did not vanish like a shot";
                 case RejectionReason.Duplicate: return "belongs to a shot already counted";
+                case RejectionReason.Rendered: return "part of the projected picture";
                 default: return ShotText.Plain(EventWords.Of(reason));
             }
         }

@@ -11,7 +11,10 @@ namespace LaserTracking.Simulation
         private readonly TargetSprite[] _sprites;
         private readonly byte[] _background;
 
-        public PictureAssets(SceneView view, ProjectorSettings projector)
+        /// <param name="view">The scene.</param>
+        /// <param name="projector">Size of the picture and what moves behind the targets.</param>
+        /// <param name="seed">Of the moving content.</param>
+        public PictureAssets(SceneView view, ProjectorSettings projector, int seed)
         {
             View = view;
             Width = projector.Width;
@@ -21,6 +24,8 @@ namespace LaserTracking.Simulation
             ScreenToPicture = PlaneMap.Scale(Width / size.X, Height / size.Y, -0.5, -0.5);
             var room = new RoomPainter(view);
             _background = PaintBackground(room, view.Scene.ScreenSizeM);
+            if (projector.Content != ProjectedContent.Bay)
+                MovingContent = new MovingContent(projector, seed);
             _sprites = new TargetSprite[view.Scene.Objects.Count];
             foreach (int i in view.FarToNear)
                 _sprites[i] = PaintSprite(view, i, room.FloorM);
@@ -37,6 +42,9 @@ namespace LaserTracking.Simulation
 
         /// <summary>The empty bay, BGRA without padding.</summary>
         public ReadOnlySpan<byte> Background => _background;
+
+        /// <summary>What moves behind the targets in place of the bay; null: nothing.</summary>
+        public MovingContent? MovingContent { get; }
 
         public PixelRect Bounds => new PixelRect(0, 0, Width, Height);
 

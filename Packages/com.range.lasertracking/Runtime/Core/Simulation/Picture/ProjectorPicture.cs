@@ -30,6 +30,8 @@ namespace LaserTracking.Simulation
         /// <summary>Where moving targets are in the scene of a time.</summary>
         public void AddMovingBounds(double timeS, PixelRectList list)
         {
+            if (_assets.MovingContent != null)
+                list.Add(_assets.Bounds);
             foreach (int i in _assets.View.FarToNear)
             {
                 if (SceneView.Moves(_assets.View.Scene.Objects[i]))
@@ -75,7 +77,9 @@ namespace LaserTracking.Simulation
         private void Redraw(PixelRect rect, double timeS, bool withMoving)
         {
             int bytes = (rect.Right - rect.Left) * 4;
-            for (int y = rect.Top; y < rect.Bottom; y++)
+            if (_assets.MovingContent != null && withMoving)
+                _assets.MovingContent.Draw(Image, rect, timeS);
+            for (int y = rect.Top; y < rect.Bottom && !(_assets.MovingContent != null && withMoving); y++)
             {
                 int offset = y * Image.Stride + rect.Left * 4;
                 _assets.Background.Slice(offset, bytes).CopyTo(new Span<byte>(Image.Pixels + offset, bytes));

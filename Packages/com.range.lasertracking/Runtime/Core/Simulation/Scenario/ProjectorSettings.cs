@@ -23,6 +23,12 @@ namespace LaserTracking.Simulation
         /// <summary>Linear light = (value / 255)^gamma.</summary>
         public double Gamma { get; set; } = 2.2;
 
+        /// <summary>What lies behind the targets.</summary>
+        public ProjectedContent Content { get; set; }
+
+        /// <summary>How fast the shapes of moving content move, widths of the picture a second; the texture scrolls a third as fast.</summary>
+        public double ContentSpeed { get; set; } = 0.94;
+
         internal void Visit(ScenarioVisitor v)
         {
             Width = v.Integer("width", Width, 16, 4096);
@@ -32,6 +38,8 @@ namespace LaserTracking.Simulation
             RefreshHz = v.Number("refresh_hz", RefreshHz, 1, 1000);
             DelayMs = v.Number("delay_ms", DelayMs, 0, 1000);
             Gamma = v.Number("gamma", Gamma, 1, 4);
+            Content = v.Choice("content", Content);
+            ContentSpeed = v.Number("content_speed", ContentSpeed, 0, 10);
         }
     }
 }

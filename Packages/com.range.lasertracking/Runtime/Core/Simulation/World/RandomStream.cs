@@ -14,6 +14,7 @@ namespace LaserTracking.Simulation
         Generator = 9,
         Speckle = 10,
         Texture = 11,
+        Content = 12,
         InfraredNoise = 21,
     }
 }
