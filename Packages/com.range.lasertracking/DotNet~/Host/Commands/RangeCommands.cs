@@ -17,6 +17,7 @@ namespace LaserTracking.Host.Commands
                 ScoreCommand.Create(),
                 CalibrateCommand.Create(),
                 StudyCommand.Create(),
+                TrainCommand.Create(),
                 AdviseCommand.Create(),
                 BenchCommand.Create(),
                 TestCommand.Create(),

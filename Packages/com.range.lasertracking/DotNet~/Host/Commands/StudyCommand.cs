@@ -12,7 +12,7 @@ namespace LaserTracking.Host.Commands
     /// <summary>range study NAME: an experiment on the simulated range or on recorded clips.</summary>
     internal static class StudyCommand
     {
-        private const string DefaultSeeds = "201..205";
+        internal const string DefaultSeeds = "201..205";
 
         public static Command Create()
         {
@@ -42,7 +42,8 @@ namespace LaserTracking.Host.Commands
             return interrupted.IsCancellationRequested ? ExitCodes.Interrupted : ExitCodes.Done;
         }
 
-        private static (int First, int Last) ParseSeeds(string text)
+        /// <exception cref="InputException">The text is no range.</exception>
+        internal static (int First, int Last) ParseSeeds(string text)
         {
             string[] parts = text.Split("..");
             bool isRange = parts.Length is 1 or 2;

@@ -39,7 +39,7 @@ namespace LaserTracking.Host.Explanations
 
             foreach (RejectedCandidate rejected in detections.Rejected)
             {
-                var test = new TestOutcome { What = EventWords.Of(rejected.Reason), Reason = rejected.Reason, Value = rejected.Value, Limit = rejected.Limit, IsMinimum = DetectionTrace.IsMinimum(rejected.Reason) };
+                var test = new TestOutcome { What = EventWords.Of(rejected.Reason), Reason = rejected.Reason, Value = rejected.Value, Limit = rejected.Limit, IsMinimum = DetectionTrace.IsMinimum(rejected.Reason), LogOdds = double.NaN };
                 ExplainedCandidate candidate = Alone(frame, rejected.PositionPx, 3, new[] { test }, rejected.Reason);
                 candidate.Verdict = Rejected(rejected.Reason, rejected.Value, rejected.Limit);
                 frame.Candidates.Add(candidate);

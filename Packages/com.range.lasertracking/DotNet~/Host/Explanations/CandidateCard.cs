@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Linq;
 using LaserTracking.Host.Pictures;
 
 namespace LaserTracking.Host.Explanations
@@ -19,7 +18,7 @@ namespace LaserTracking.Host.Explanations
         private const int LimitColumn = 34;
 
         public static int Height(ExplainedCandidate candidate) =>
-            LineHeight * (1 + Wrap(candidate.FoundIn, Letters).Count + candidate.Tests.Count + (HasOneFrameTests(candidate) ? 1 : 0) + Wrap(candidate.Verdict, Letters).Count) + 2 * Padding;
+            LineHeight * (1 + Wrap(candidate.FoundIn, Letters).Count + candidate.Tests.Count + Headings(candidate) + Wrap(candidate.Verdict, Letters).Count) + 2 * Padding;
 
         /// <summary>Returns the height drawn.</summary>
         public static int Draw(Canvas canvas, int x, int y, ExplainedCandidate candidate)
@@ -32,16 +31,16 @@ namespace LaserTracking.Host.Explanations
             y += Padding;
             canvas.Text(x, y, FormattableString.Invariant($"#{candidate.Number} at {candidate.PositionPx.X:F1}, {candidate.PositionPx.Y:F1}"), Palette.Text);
             y = Lines(canvas, x, y + LineHeight, candidate.FoundIn, Palette.Quiet);
-            bool isAboutOneFrame = false;
-            foreach (TestRow row in candidate.Tests.Select(t => TestRow.Of(t)))
+            var section = TestSection.Tests;
+            foreach (TestRow row in TestRow.Of(candidate.Tests))
             {
-                if (!row.DecidesRejection && !isAboutOneFrame)
+                if (row.Section != section && TestRow.Heading(row.Section) is { } heading)
                 {
-                    canvas.Text(x, y, "does this frame alone suffice?", Palette.Quiet);
+                    canvas.Text(x, y, heading, Palette.Quiet);
                     y += LineHeight;
                 }
 
-                isAboutOneFrame = !row.DecidesRejection;
+                section = row.Section;
                 DrawRow(canvas, x, y, row);
                 y += LineHeight;
             }
@@ -64,6 +63,12 @@ namespace LaserTracking.Host.Explanations
 
         private static void DrawRow(Canvas canvas, int x, int y, TestRow row)
         {
+            if (row.Section == TestSection.Evidence)
+            {
+                DrawEvidence(canvas, x, y, row);
+                return;
+            }
+
             uint color = row.IsPassed ? Palette.Text : Palette.Failed;
             canvas.Fill(x, y + 2, 10, 10, row.IsPassed ? Palette.Passed : Palette.Failed);
             if (!row.IsPassed)
@@ -73,7 +78,27 @@ namespace LaserTracking.Host.Explanations
             canvas.Text(x + (LimitColumn - 2) * Letter, y, row.Sign + " " + row.Limit, Palette.Quiet);
         }
 
-        private static bool HasOneFrameTests(ExplainedCandidate candidate) => candidate.Tests.Any(t => t.Reason == Detection.RejectionReason.None);
+        private static void DrawEvidence(Canvas canvas, int x, int y, TestRow row)
+        {
+            uint color = row.IsPassed ? row.Mark[0] == '-' ? Palette.Quiet : Palette.Text : Palette.Failed;
+            canvas.Text(x + (6 - row.Mark.Length) * Letter, y, row.Mark, color);
+            canvas.Text(x + 7 * Letter, y, row.What, color);
+            string right = (row.Value + " " + row.Sign + " " + row.Limit).Trim();
+            canvas.Text(x + (Letters - right.Length) * Letter, y, right, Palette.Quiet);
+        }
+
+        private static int Headings(ExplainedCandidate candidate)
+        {
+            int count = 0;
+            var section = TestSection.Tests;
+            foreach (TestRow row in TestRow.Of(candidate.Tests))
+            {
+                count += row.Section != section && TestRow.Heading(row.Section) != null ? 1 : 0;
+                section = row.Section;
+            }
+
+            return count;
+        }
 
         /// <summary>Breaks at spaces; longer words are cut.</summary>
         private static List<string> Wrap(string text, int letters)

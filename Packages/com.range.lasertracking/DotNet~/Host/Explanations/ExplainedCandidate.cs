@@ -23,7 +23,7 @@ namespace LaserTracking.Host.Explanations
 
         public bool IsSmallestChannel { get; init; }
 
-        /// <summary>In order; those with reason None only decide whether this frame alone suffices.</summary>
+        /// <summary>In order: tests, then evidence; those with reason None only decide whether this frame alone suffices.</summary>
         public required IReadOnlyList<TestOutcome> Tests { get; init; }
 
         public required RejectionReason Reason { get; init; }

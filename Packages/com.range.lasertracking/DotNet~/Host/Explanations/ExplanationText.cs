@@ -55,13 +55,15 @@ namespace LaserTracking.Host.Explanations
         {
             to.WriteLine();
             to.WriteLine(Head(candidate));
-            bool isAboutOneFrame = false;
-            foreach (TestRow row in candidate.Tests.Select(t => TestRow.Of(t)))
+            var section = TestSection.Tests;
+            foreach (TestRow row in TestRow.Of(candidate.Tests))
             {
-                if (!row.DecidesRejection && !isAboutOneFrame)
-                    to.WriteLine("  does this frame alone suffice?");
-                isAboutOneFrame = !row.DecidesRejection;
-                to.WriteLine($"  {(row.IsPassed ? "ok  " : "FAIL")} {row.What,-22} {row.Value,8} {row.Sign,1} {row.Limit}".TrimEnd());
+                if (row.Section != section && TestRow.Heading(row.Section) is { } heading)
+                    to.WriteLine("  " + heading);
+                section = row.Section;
+                to.WriteLine((section == TestSection.Evidence
+                    ? $"  {row.Mark,6}  {row.What,-31} {row.Value,8} {row.Sign,1} {row.Limit}"
+                    : $"  {row.Mark,-4} {row.What,-22} {row.Value,8} {row.Sign,1} {row.Limit}").TrimEnd());
             }
 
             to.WriteLine("  " + candidate.Verdict);

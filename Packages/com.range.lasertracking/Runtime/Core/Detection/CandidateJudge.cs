@@ -80,7 +80,7 @@ namespace LaserTracking.Detection
                 // Light that grows further says the same once more; what speaks against it counts as well.
                 candidate.LogOdds = known.LogOdds;
                 if (!known.IsConclusive && candidate.IsOnset)
-                    candidate.LogOdds += Weigh(view, ref candidate, out int _, stackalloc float[DotEvidence.Count]);
+                    candidate.LogOdds += Weigh(view, ref candidate, known.LogOdds, out int _, stackalloc float[DotEvidence.Count]);
                 candidate.IsConclusive = known.IsConclusive || isProvenByLevel || candidate.LogOdds >= _settings.ConclusiveLogOdds;
                 Fails(ref candidate, !candidate.IsConclusive && known.Frames > _settings.MaxWaitFrames, RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
                 return;
@@ -89,25 +89,21 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, fresh, 0.5) || FailsAtEdge(view, ref candidate))
                 return;
             Span<float> features = stackalloc float[DotEvidence.Count];
-            candidate.LogOdds = Weigh(view, ref candidate, out int against, features);
+            candidate.LogOdds = Weigh(view, ref candidate, 0, out int against, features);
             EvidenceCurve curve = DotEvidence.Curves[against];
             if (Fails(ref candidate, candidate.LogOdds < _settings.MinLogOdds, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What))
                 return;
-            candidate.IsConclusive = Suffices(_settings.ConclusiveLogOdds - candidate.LogOdds, 0, "evidence missing");
+            candidate.IsConclusive = candidate.LogOdds >= _settings.ConclusiveLogOdds;
+            Trace?.AddConclusive(candidate.IsConclusive, candidate.LogOdds, _settings.ConclusiveLogOdds, "all evidence, log-odds", true);
         }
 
         /// <summary>No single measure decides: all of them together say how likely this is a laser's light.</summary>
-        private double Weigh(in FrameView view, ref Candidate candidate, out int against, Span<float> features)
+        private double Weigh(in FrameView view, ref Candidate candidate, double before, out int against, Span<float> features)
         {
             SurroundingsMeasurer.Ring(view, ref candidate, Noise);
             FeatureMeasurer.Measure(view, candidate, Noise, Scale, ContentLevel, (int)(_settings.MotionRadiusPx * Scale), features);
             candidate.MotionShare = features[(int)DotFeature.BrightenedAround] + features[(int)DotFeature.DarkenedAround];
-            if (Trace != null)
-            {
-                for (int i = 0; i < features.Length; i++)
-                    Trace.AddEvidence(DotEvidence.Curves[i].What, features[i], DotEvidence.Curves[i].At(features[i]));
-            }
-
+            Trace?.AddEvidence(features, before, _settings.MinLogOdds);
             against = DotEvidence.StrongestAgainst(features);
             return DotEvidence.LogOdds(features);
         }
@@ -176,7 +172,7 @@ namespace LaserTracking.Detection
         /// <summary>One of the conditions under which this frame alone suffices; all of them are looked at, so that all can be shown.</summary>
         private bool Suffices(double value, double limit, string what)
         {
-            Trace?.AddConclusive(value <= limit, value, limit, what);
+            Trace?.AddConclusive(value <= limit, value, limit, what, false);
             return value <= limit;
         }
     }

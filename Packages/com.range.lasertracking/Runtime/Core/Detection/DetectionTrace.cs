@@ -42,6 +42,22 @@ namespace LaserTracking.Detection
         public ReadOnlySpan<TestOutcome> TestsOf(in ExaminedCandidate candidate) =>
             new ReadOnlySpan<TestOutcome>(_tests, candidate.FirstTest, candidate.TestCount);
 
+        /// <summary>Log-odds of a dot before any <see cref="DotFeature"/> is measured.</summary>
+        public static double BaseLogOdds => DotEvidence.Base;
+
+        /// <summary>What each <see cref="DotFeature"/> says about a candidate, in their order; empty where it was not weighed.</summary>
+        public ReadOnlySpan<TestOutcome> EvidenceOf(in ExaminedCandidate candidate)
+        {
+            ReadOnlySpan<TestOutcome> tests = TestsOf(candidate);
+            for (int first = 0; first + DotEvidence.Count <= tests.Length; first++)
+            {
+                if (tests[first].IsEvidence)
+                    return tests.Slice(first, DotEvidence.Count);
+            }
+
+            return default;
+        }
+
         /// <summary>Whether this reason's limit is the least value that passes; otherwise it is the largest.</summary>
         public static bool IsMinimum(RejectionReason reason)
         {
@@ -72,18 +88,30 @@ namespace LaserTracking.Detection
         internal void Add(RejectionReason reason, bool isPassed, double value, double limit, string? what)
         {
             // Passed beyond its limit: the test is not meant for candidates like this one.
-            bool isMinimum = IsMinimum(reason);
+            // A curve may speak against too much where its reason usually means too little.
+            bool isMinimum = isPassed || value == limit ? IsMinimum(reason) : value < limit;
             if (!isPassed || (isMinimum ? value >= limit : value <= limit))
-                Add(new TestOutcome { What = what ?? UsualMeasure(reason), Reason = reason, IsPassed = isPassed, Value = value, Limit = limit, IsMinimum = isMinimum });
+                Add(new TestOutcome { What = what ?? UsualMeasure(reason), Reason = reason, IsPassed = isPassed, Value = value, Limit = limit, IsMinimum = isMinimum, LogOdds = double.NaN });
         }
 
         /// <summary>A test that decides only whether this frame suffices.</summary>
-        internal void AddConclusive(bool isPassed, double value, double limit, string what) =>
-            Add(new TestOutcome { What = what, IsPassed = isPassed, Value = value, Limit = limit });
+        internal void AddConclusive(bool isPassed, double value, double limit, string what, bool isMinimum) =>
+            Add(new TestOutcome { What = what, IsPassed = isPassed, Value = value, Limit = limit, IsMinimum = isMinimum, LogOdds = double.NaN });
 
-        /// <summary>What one measure says for (positive) or against a dot, log-odds.</summary>
-        internal void AddEvidence(string what, double value, double logOdds) =>
-            Add(new TestOutcome { What = what, IsPassed = logOdds >= 0, Value = value, Limit = logOdds });
+        /// <summary>What each measure says, what was known before any of them, and all of it together against the least that a candidate needs.</summary>
+        internal void AddEvidence(ReadOnlySpan<float> features, double before, double minLogOdds)
+        {
+            for (int i = 0; i < features.Length; i++)
+            {
+                EvidenceCurve curve = DotEvidence.Curves[i];
+                Add(new TestOutcome { What = curve.What, Reason = curve.Reason, IsPassed = true, Value = features[i], Limit = double.NaN, LogOdds = curve.At(features[i]) });
+            }
+
+            double all = before + DotEvidence.LogOdds(features);
+            double known = before + DotEvidence.Base;
+            Add(new TestOutcome { What = "before this frame", IsPassed = true, Value = known, Limit = double.NaN, LogOdds = known });
+            Add(new TestOutcome { What = "all evidence", IsPassed = all >= minLogOdds, Value = all, Limit = minLogOdds, IsMinimum = true, LogOdds = all });
+        }
 
         /// <summary>The candidate whose tests were added since the last call.</summary>
         internal void Finish(in Candidate candidate, in FrameView view, Vector2D positionPx, int factor, bool isContinued, int dotIndex)

@@ -24,7 +24,7 @@ namespace LaserTracking.Detection
                 Check(detector.Trace, run.Detections, reasons);
             }
 
-            Assert.That(reasons, Is.SupersetOf(new[] { RejectionReason.TooFaint, RejectionReason.NotCompact, RejectionReason.NotIsolated, RejectionReason.NotNew }));
+            Assert.That(reasons, Is.SupersetOf(new[] { RejectionReason.TooFaint, RejectionReason.TooLarge, RejectionReason.NotIsolated, RejectionReason.CutByEdge }));
         }
 
         [Test]
@@ -177,6 +177,29 @@ namespace LaserTracking.Detection
                 Assert.That(rejected.Reason, Is.Not.EqualTo(RejectionReason.None));
                 Assert.That(double.IsNaN(rejected.Value) || double.IsInfinity(rejected.Value) || double.IsNaN(rejected.Limit), Is.False, rejected.Reason.ToString());
             }
+        }
+
+        [Test]
+        public void Trace_OfAWeighedDot_GivesEveryFeatureAndTheirSum()
+        {
+            var trace = new DetectionTrace();
+            var run = new DetectionRun(new ShotDetector { Trace = trace });
+            run.Play(0, 8, (b, i) => b.Wall(90, 100, 110));
+            run.Play(8, 1, (b, i) => b.Wall(90, 100, 110).GreenDot(100, 120));
+            ExaminedCandidate dot = default;
+            foreach (ExaminedCandidate candidate in trace.Candidates)
+                dot = candidate.DotIndex == 0 ? candidate : dot;
+            ReadOnlySpan<TestOutcome> evidence = trace.EvidenceOf(dot);
+            Assert.That(evidence.Length, Is.EqualTo(Enum.GetValues(typeof(DotFeature)).Length));
+            double sum = DetectionTrace.BaseLogOdds;
+            foreach (TestOutcome feature in evidence)
+                sum += feature.LogOdds;
+            TestOutcome last = default;
+            foreach (TestOutcome test in trace.TestsOf(dot))
+                last = test.IsEvidence ? test : last;
+            Assert.That(last.Value, Is.EqualTo(sum).Within(1e-6));
+            Assert.That(last.Limit, Is.EqualTo(new ShotDetectorSettings().MinLogOdds));
+            Assert.That(evidence[(int)DotFeature.Freshness].Value, Is.EqualTo(1).Within(0.3));
         }
 
         private static int CheckTests(ReadOnlySpan<TestOutcome> tests, in ExaminedCandidate candidate)

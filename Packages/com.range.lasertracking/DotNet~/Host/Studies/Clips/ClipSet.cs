@@ -19,15 +19,22 @@ namespace LaserTracking.Host.Studies.Clips
         public IReadOnlyList<TruthClip> Clips { get; }
 
         /// <exception cref="InputException">The reference data are not there.</exception>
-        public static ClipSet Open()
+        public static ClipSet Open() =>
+            TryOpen() ?? throw new InputException(TruthPath(), "the recorded clips are not there", "set RANGE_DATA to the folder that holds clips/truth.json");
+
+        /// <summary>Null when the reference data are not there.</summary>
+        public static ClipSet? TryOpen()
+        {
+            string truth = TruthPath();
+            return File.Exists(truth) ? new ClipSet(Path.GetDirectoryName(truth)!, TruthFile.Read(truth)) : null;
+        }
+
+        private static string TruthPath()
         {
             string data = Environment.GetEnvironmentVariable("RANGE_DATA") is { Length: > 0 } given
                 ? given
                 : Path.Combine(RepositoryFolder.Find(), "..", "shared", "data");
-            string folder = Path.Combine(data, "clips"), truth = Path.Combine(folder, "truth.json");
-            if (!File.Exists(truth))
-                throw new InputException(truth, "the recorded clips are not there", "set RANGE_DATA to the folder that holds clips/truth.json");
-            return new ClipSet(folder, TruthFile.Read(truth));
+            return Path.Combine(data, "clips", "truth.json");
         }
 
         public string PathOf(TruthClip clip) => Path.Combine(Folder, clip.File);

@@ -1,10 +1,6 @@
-using System;
 using System.Linq;
 using System.Threading;
-using LaserTracking.Capture;
-using LaserTracking.Geometry;
 using LaserTracking.Host.Scoring;
-using LaserTracking.Host.Sources;
 
 namespace LaserTracking.Host.Studies.Clips
 {
@@ -23,21 +19,7 @@ namespace LaserTracking.Host.Studies.Clips
             foreach (TruthClip clip in clips.Clips)
             {
                 ClipRun[] runs = cases.Select(_ => new ClipRun()).ToArray();
-                using IFrameSource source = new PrefetchingFrameSource(FrameSources.OpenScreenCamera(clips.PathOf(clip)));
-                using var frame = new Frame();
-                using var stressed = new Frame();
-                while (!interrupted.IsCancellationRequested && source.TryRead(frame))
-                {
-                    options.Progress.Show(FormattableString.Invariant($"{clip.File}, frame {frame.Index}"));
-                    for (int i = 0; i < cases.Length; i++)
-                    {
-                        stressed.Begin(frame.Index, frame.TimeUs);
-                        stressed.Color.CopyFrom(frame.Color);
-                        Vector2D shift = cases[i].Apply(frame.Color, frame.Index, stressed.Color);
-                        runs[i].Process(stressed, shift);
-                    }
-                }
-
+                StressedClip.Play(clips, clip, cases, options, (i, frame, shiftPx) => runs[i].Process(frame, shiftPx), interrupted);
                 for (int i = 0; i < cases.Length; i++)
                     tallies[i].Add(clip, runs[i].Reported);
             }

@@ -13,6 +13,9 @@ namespace LaserTracking.Detection
 
         public static ReadOnlySpan<EvidenceCurve> Curves => DotEvidenceCurves.All;
 
+        /// <summary>Log-odds before anything is measured.</summary>
+        public static double Base => DotEvidenceCurves.Base;
+
         /// <summary>The sum over all features.</summary>
         public static double LogOdds(ReadOnlySpan<float> features)
         {

@@ -1,10 +1,10 @@
 namespace LaserTracking.Detection
 {
     /// <summary>
-    /// What is measured on a candidate to weigh it, in the order of <see cref="DotEvidence.Curves"/>. "Rise" is the largest one of its
+    /// What is measured on a candidate to weigh it, in the order of <see cref="DetectionTrace.EvidenceOf"/>. "Rise" is the largest one of its
     /// plane; "ring" reaches from half its size to a little over its size beside it; "around" means 40 px of a picture 640 wide.
     /// </summary>
-    internal enum DotFeature
+    public enum DotFeature
     {
         /// <summary>Logarithm of the rise through the picture's temporal noise.</summary>
         LogRiseSigmas,

@@ -33,18 +33,20 @@ namespace LaserTracking.Detection
         /// <summary>Log-odds at a value; NaN counts as the lowest.</summary>
         public float At(float value) => _values[Step(value)];
 
-        /// <summary>The edge nearest to a value beyond which it would speak for a dot (not against it); the value itself where it does already.</summary>
+        /// <summary>
+        /// The value nearest to this one that would speak for a dot (not against it), or, where it does so already or no value would, say
+        /// more; the value itself where nothing says more.
+        /// </summary>
         public float NearestLimit(float value)
         {
             int at = Step(value);
-            if (_values[at] >= 0)
-                return value;
+            bool canChangeSides = _values[at] < 0 && Highest >= 0;
             float nearest = value, distance = float.PositiveInfinity;
             for (int step = 0; step < _values.Length; step++)
             {
-                if (_values[step] < 0)
+                if (canChangeSides ? _values[step] < 0 : _values[step] <= _values[at])
                     continue;
-                float edge = step > at ? _edges[step - 1] : _edges[step];
+                float edge = step > at ? _edges[step - 1] : Below(_edges[step]);
                 if (Math.Abs(edge - value) >= distance)
                     continue;
                 distance = Math.Abs(edge - value);
@@ -53,6 +55,9 @@ namespace LaserTracking.Detection
 
             return nearest;
         }
+
+        /// <summary>A value at an edge has passed it: what stays below is a little smaller.</summary>
+        private static float Below(float edge) => edge - Math.Max(1e-7f, 1e-6f * Math.Abs(edge));
 
         private int Step(float value)
         {

@@ -1,0 +1,62 @@
+using System;
+using System.Collections.Generic;
+
+namespace LaserTracking.Host.Studies.Evidence
+{
+    /// <summary>A generalised additive logistic model of step functions: log-odds are a base and one value for each feature.</summary>
+    internal sealed class BoostedCurves
+    {
+        /// <summary>Steps smaller than this are none.</summary>
+        private const double LeastStep = 1e-6;
+
+        /// <param name="baseLogOdds">Before anything is measured.</param>
+        /// <param name="edges">Each feature's, rising.</param>
+        /// <param name="values">Each feature's values below, between and above its edges.</param>
+        public BoostedCurves(double baseLogOdds, float[][] edges, double[][] values)
+        {
+            Base = baseLogOdds;
+            Edges = new float[edges.Length][];
+            Values = new double[edges.Length][];
+            for (int feature = 0; feature < edges.Length; feature++)
+                Join(edges[feature], values[feature], out Edges[feature], out Values[feature]);
+        }
+
+        public double Base { get; }
+
+        /// <summary>Each feature's edges at which its value changes.</summary>
+        public float[][] Edges { get; }
+
+        /// <summary>One more for each feature than edges.</summary>
+        public double[][] Values { get; }
+
+        public double LogOdds(ReadOnlySpan<float> features)
+        {
+            double sum = Base;
+            for (int feature = 0; feature < features.Length; feature++)
+            {
+                int step = 0;
+                while (step < Edges[feature].Length && features[feature] >= Edges[feature][step])
+                    step++;
+                sum += Values[feature][step];
+            }
+
+            return sum;
+        }
+
+        private static void Join(float[] edges, double[] values, out float[] joinedEdges, out double[] joinedValues)
+        {
+            var keptEdges = new List<float>();
+            var keptValues = new List<double> { values[0] };
+            for (int i = 0; i < edges.Length; i++)
+            {
+                if (Math.Abs(values[i + 1] - keptValues[^1]) <= LeastStep)
+                    continue;
+                keptEdges.Add(edges[i]);
+                keptValues.Add(values[i + 1]);
+            }
+
+            joinedEdges = keptEdges.ToArray();
+            joinedValues = keptValues.ToArray();
+        }
+    }
+}
