@@ -17,6 +17,10 @@ namespace LaserTracking.Detection
         /// <summary>The flash by which what to change is judged, ms: the shortest that trainers fire.</summary>
         private const double ShortFlashMs = 5;
 
+        private const double ShortestIntervalUs = 500;
+        private const double LongestIntervalUs = 2_000_000;
+        private const double UsualIntervalUs = 33_333;
+
         private readonly ShotDetector _detector;
         private readonly AdvisorSettings _settings;
         private readonly PowerLadder[] _ladders;
@@ -88,7 +92,10 @@ namespace LaserTracking.Detection
         {
             if (Rounds == 0)
                 throw new InvalidOperationException("the advisor has not looked at every part of the screen yet");
-            double intervalUs = _frames > 1 ? Math.Max(1, (_lastUs - _firstUs) / (double)(_frames - 1)) : 33_333;
+            // A clock that stands still or leaps says nothing about the camera.
+            double intervalUs = _frames > 1 ? (_lastUs - _firstUs) / (double)(_frames - 1) : 0;
+            if (!(intervalUs >= ShortestIntervalUs && intervalUs <= LongestIntervalUs))
+                intervalUs = UsualIntervalUs;
             double exposureUs = _settings.ExposureUs > 0 ? Math.Min(_settings.ExposureUs, intervalUs) : intervalUs / 2;
             var regions = new RegionAdvice[_ladders.Length];
             for (int i = 0; i < regions.Length; i++)

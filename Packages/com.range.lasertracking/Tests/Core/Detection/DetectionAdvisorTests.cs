@@ -27,7 +27,7 @@ namespace LaserTracking.Detection
         public void Advisor_NoisyWall_NeedsMoreThanAQuietOne()
         {
             var noisy = new DetectionRun();
-            noisy.Builder.NoiseSigma = 6;
+            noisy.Builder.NoiseSigma = 12;
             DetectionAdvice quiet = Advise(new DetectionRun(), (b, i) => b.Wall(60, 60, 60)), loud = Advise(noisy, (b, i) => b.Wall(60, 60, 60));
             Assert.That(loud.DimmestLevels, Is.GreaterThan(1.2 * quiet.DimmestLevels));
         }
