@@ -67,15 +67,18 @@ namespace LaserTracking.Detection
                 || Fails(ref candidate, candidate.Area < _settings.MinAreaPx * area, RejectionReason.TooSmall, candidate.Area / area, _settings.MinAreaPx))
                 return;
             candidate.Strength = candidate.PeakRise * Math.Sqrt(candidate.Area / area);
-            SurroundingsMeasurer.ColorRise(view, ref candidate);
             double fresh = view.Change(candidate.SeedY * view.Width + candidate.SeedX, candidate.Plane) / (double)candidate.PeakRise;
             candidate.IsOnset = fresh >= 0.5;
             int excess = SurroundingsMeasurer.PeakLevel(view, candidate) - ContentLevel;
             candidate.ContentLevel = ContentLevel;
             candidate.ExceedsContent = IsContentKnown && excess >= _settings.MinContentExcess;
             candidate.MayBeContent = excess < _settings.MinContentExcess && (IsContentKnown || candidate.ActivityAround > _settings.QuietActivity);
+            bool isKnown = memory.TryFind(candidate, out known);
+            if (!isKnown && (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, fresh, 0.5) || FailsAtEdge(view, ref candidate)))
+                return;
+            SurroundingsMeasurer.ColorRise(view, ref candidate);
             bool isProvenByLevel = IsContentKnown && excess >= ConclusiveExcess;
-            if (memory.TryFind(candidate, out known))
+            if (isKnown)
             {
                 // Light that grows further says the same once more; what speaks against it counts as well.
                 candidate.LogOdds = known.LogOdds;
@@ -86,8 +89,6 @@ namespace LaserTracking.Detection
                 return;
             }
 
-            if (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, fresh, 0.5) || FailsAtEdge(view, ref candidate))
-                return;
             Span<float> features = stackalloc float[DotEvidence.Count];
             candidate.LogOdds = Weigh(view, ref candidate, 0, out int against, features);
             EvidenceCurve curve = DotEvidence.Curves[against];
@@ -100,12 +101,19 @@ namespace LaserTracking.Detection
         /// <summary>No single measure decides: all of them together say how likely this is a laser's light.</summary>
         private double Weigh(in FrameView view, ref Candidate candidate, double before, out int against, Span<float> features)
         {
-            SurroundingsMeasurer.Ring(view, ref candidate, Noise);
-            FeatureMeasurer.Measure(view, candidate, Noise, Scale, ContentLevel, (int)(_settings.MotionRadiusPx * Scale), features);
-            candidate.MotionShare = features[(int)DotFeature.BrightenedAround] + features[(int)DotFeature.DarkenedAround];
-            Trace?.AddEvidence(features, before, _settings.MinLogOdds);
-            against = DotEvidence.StrongestAgainst(features);
-            return DotEvidence.LogOdds(features);
+            FeatureMeasurer.MeasureItself(view, candidate, Noise, Scale, ContentLevel, features);
+            double highest = DotEvidence.HighestLogOdds(features);
+            bool isHopeless = before + highest < _settings.MinLogOdds;
+            if (!isHopeless || Trace != null)
+            {
+                SurroundingsMeasurer.Ring(view, ref candidate, Noise);
+                FeatureMeasurer.MeasureAround(view, candidate, Noise, (int)(_settings.MotionRadiusPx * Scale), features);
+                candidate.MotionShare = features[(int)DotFeature.BrightenedAround] + features[(int)DotFeature.DarkenedAround];
+                Trace?.AddEvidence(features, before, _settings.MinLogOdds);
+            }
+
+            against = DotEvidence.StrongestAgainst(features, !isHopeless);
+            return isHopeless ? highest : DotEvidence.LogOdds(features);
         }
 
         /// <summary>

@@ -38,7 +38,6 @@ namespace LaserTracking.Detection
         private readonly double[] _shiftY = new double[Patches];
         private readonly double[] _sorted = new double[Patches];
         private readonly int[] _ratios = new int[256];
-        private readonly uint[] _pixels = new uint[2 * Window];
         private double _noise;
         private int _width, _height, _factor, _frames, _steadyFrames;
 
@@ -108,20 +107,27 @@ namespace LaserTracking.Detection
 
         private int TopOf(int patch) => (_height - Window) * (2 * (patch / Across) + 1) / (2 * Down);
 
-        /// <summary>The patch in working size: green, or the mean over the pixels that one stands for.</summary>
+        /// <summary>The patch in working size: green or luma, straight from the raw picture; the mean of two where one stands for two.</summary>
         private void Read(Image image, int patch)
         {
-            int left = LeftOf(patch) * _factor, top = TopOf(patch) * _factor, target = patch * Window * Window;
-            fixed (uint* pixels = _pixels)
+            int target = patch * Window * Window, left = LeftOf(patch) * _factor, top = TopOf(patch) * _factor;
+            int bytes = image.Format == PixelFormat.Bgra32 ? 4 : image.Format == PixelFormat.Yuy2 ? 2 : 1, offset = image.Format == PixelFormat.Bgra32 ? 1 : 0;
+            fixed (byte* now = _now)
             {
                 for (int y = 0; y < Window; y++)
                 {
-                    PixelRow.ToBgra(image, Math.Min(image.Height - 1, top + y * _factor), left, Math.Min(image.Width, left + Window * _factor), pixels);
-                    for (int x = 0; x < Window; x++)
+                    // Patches end a twelfth of the free width before the border: no pixel beyond an odd width is read.
+                    byte* row = image.Pixels + Math.Min(image.Height - 1, top + y * _factor) * (long)image.Stride + left * bytes + offset;
+                    byte* line = now + target + y * Window;
+                    if (_factor == 1)
                     {
-                        _now[target++] = _factor == 1
-                            ? (byte)(pixels[x] >> 8)
-                            : (byte)((pixels[2 * x] >> 8 & 255) + (pixels[2 * x + 1] >> 8 & 255) + 1 >> 1);
+                        for (int x = 0; x < Window; x++)
+                            line[x] = row[x * bytes];
+                    }
+                    else
+                    {
+                        for (int x = 0; x < Window; x++)
+                            line[x] = (byte)(row[2 * x * bytes] + row[(2 * x + 1) * bytes] + 1 >> 1);
                     }
                 }
             }

@@ -25,13 +25,27 @@ namespace LaserTracking.Detection
             return sum;
         }
 
+        /// <summary>The sum if everything around the candidate, which takes long to measure, spoke for it as much as it ever can.</summary>
+        public static double HighestLogOdds(ReadOnlySpan<float> features)
+        {
+            double sum = DotEvidenceCurves.Base;
+            for (int i = 0; i < features.Length; i++)
+                sum += IsOfSurroundings(i) ? DotEvidenceCurves.All[i].Highest : DotEvidenceCurves.All[i].At(features[i]);
+            return sum;
+        }
+
         /// <summary>The feature that speaks most against a dot.</summary>
-        public static int StrongestAgainst(ReadOnlySpan<float> features)
+        /// <param name="features">One value for each.</param>
+        /// <param name="withSurroundings">False: only those of the candidate itself.</param>
+        public static int StrongestAgainst(ReadOnlySpan<float> features, bool withSurroundings)
         {
             int strongest = 0;
             float lowest = float.PositiveInfinity;
             for (int i = 0; i < features.Length; i++)
             {
+                if (!withSurroundings && IsOfSurroundings(i))
+                    continue;
+
                 // What a feature could say at best is the yardstick: one that never says much for a dot is no reason.
                 float loss = DotEvidenceCurves.All[i].At(features[i]) - DotEvidenceCurves.All[i].Highest;
                 if (loss >= lowest)
@@ -41,6 +55,23 @@ namespace LaserTracking.Detection
             }
 
             return strongest;
+        }
+
+        private static bool IsOfSurroundings(int feature)
+        {
+            switch ((DotFeature)feature)
+            {
+                case DotFeature.RingShare:
+                case DotFeature.BrightenedAround:
+                case DotFeature.DarkenedAround:
+                case DotFeature.DarkenedRing:
+                case DotFeature.ContrastNow:
+                case DotFeature.ContrastBefore:
+                case DotFeature.RisenAround:
+                    return true;
+                default:
+                    return false;
+            }
         }
     }
 }

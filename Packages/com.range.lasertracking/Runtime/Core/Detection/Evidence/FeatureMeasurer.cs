@@ -13,9 +13,8 @@ namespace LaserTracking.Detection
         /// <param name="noise">Temporal noise, levels.</param>
         /// <param name="scale">Working px per pixel of a picture 640 wide.</param>
         /// <param name="contentLevel">Brightest of the projected picture, levels.</param>
-        /// <param name="radius">What "around" means, working px.</param>
-        /// <param name="features">One value for each <see cref="DotFeature"/>.</param>
-        public static void Measure(in FrameView view, in Candidate candidate, double noise, double scale, int contentLevel, int radius, Span<float> features)
+        /// <param name="features">One value for each <see cref="DotFeature"/>; those of the surroundings stay as they are.</param>
+        public static void MeasureItself(in FrameView view, in Candidate candidate, double noise, double scale, int contentLevel, Span<float> features)
         {
             double rise = candidate.PeakRise, area = candidate.Area / (scale * scale);
             int seed = candidate.SeedY * view.Width + candidate.SeedX;
@@ -25,7 +24,6 @@ namespace LaserTracking.Detection
             Set(features, DotFeature.LogArea, Math.Log(area));
             Set(features, DotFeature.Compactness, candidate.Compactness);
             Set(features, DotFeature.LogElongation, Math.Log(candidate.LongSigma / candidate.ShortSigma));
-            Set(features, DotFeature.RingShare, candidate.RingShare);
             Set(features, DotFeature.Activity, candidate.Activity / rise);
             Set(features, DotFeature.ActivityAround, candidate.ActivityAround / rise);
             Set(features, DotFeature.Freshness, view.Change(seed, candidate.Plane) / rise);
@@ -34,11 +32,16 @@ namespace LaserTracking.Detection
             Set(features, DotFeature.ContentExcess, (SurroundingsMeasurer.PeakLevel(view, candidate) - contentLevel) / 64.0);
             Set(features, DotFeature.OtherRise, view.RelativeRise(seed, other) / 255.0);
             Set(features, DotFeature.LogStrength, Math.Log(Math.Max(1, rise * Math.Sqrt(area))));
-            MeasureAround(view, candidate, noise, radius, features);
         }
 
-        private static void MeasureAround(in FrameView view, in Candidate c, double noise, int radius, Span<float> features)
+        /// <param name="view">The frame.</param>
+        /// <param name="c">Grown, with its ring measured.</param>
+        /// <param name="noise">Temporal noise, levels.</param>
+        /// <param name="radius">What "around" means, working px.</param>
+        /// <param name="features">Those of the surroundings are set.</param>
+        public static void MeasureAround(in FrameView view, in Candidate c, double noise, int radius, Span<float> features)
         {
+            Set(features, DotFeature.RingShare, c.RingShare);
             int size = Math.Max(c.Right - c.Left, c.Bottom - c.Top) + 1;
             int inner = Math.Max(4, size / 2), near = inner + Math.Max(6, size / 2);
             int threshold = Math.Max(c.PeakRise / 6, (int)(4 * noise) + 2), half = Math.Max(1, (c.PeakRelativeRise + 1) / 2);

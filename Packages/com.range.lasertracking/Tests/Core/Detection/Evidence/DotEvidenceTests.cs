@@ -44,7 +44,7 @@ namespace LaserTracking.Detection
             float[] streak = Typical();
             streak[(int)DotFeature.LogElongation] = 3;
             streak[(int)DotFeature.ContentExcess] = 1;
-            Assert.That(DotEvidence.StrongestAgainst(streak), Is.EqualTo((int)DotFeature.LogElongation));
+            Assert.That(DotEvidence.StrongestAgainst(streak, true), Is.EqualTo((int)DotFeature.LogElongation));
         }
 
         /// <summary>Whatever the curves are: where each says most for a dot.</summary>
