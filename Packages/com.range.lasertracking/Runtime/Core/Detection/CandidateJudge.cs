@@ -80,9 +80,9 @@ namespace LaserTracking.Detection
             bool isProvenByLevel = IsContentKnown && excess >= ConclusiveExcess;
             if (isKnown)
             {
-                // Light that grows further says the same once more; what speaks against it counts as well.
+                // Light that grows further says the same once more; what the picture may show itself grows when it comes from behind.
                 candidate.LogOdds = known.LogOdds;
-                if (!known.IsConclusive && candidate.IsOnset)
+                if (!known.IsConclusive && candidate.IsOnset && !candidate.MayBeContent)
                     candidate.LogOdds += Weigh(view, ref candidate, known.LogOdds, out int _, stackalloc float[DotEvidence.Count]);
                 candidate.IsConclusive = known.IsConclusive || isProvenByLevel || candidate.LogOdds >= _settings.ConclusiveLogOdds;
                 Fails(ref candidate, !candidate.IsConclusive && known.Frames > _settings.MaxWaitFrames, RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
