@@ -135,7 +135,7 @@ namespace LaserTracking.Session
                 html.Raw("There is no scene: only the places of the shots are known. ");
             else
                 html.Raw("Targets stand as they did ").Column(data.PictureTimeS, 2).Raw(" s into the scene; dotted lines are the ways of moving ones, dashed outlines where a moving target stood when it was hit. ");
-            html.Raw("A tinted ellipse is the 95 % range of the picture’s noise, drawn where it is larger than the mark; what the laser moved during the exposure comes on top.</p>\n</section>\n");
+            html.Raw("A tinted ellipse holds the place where the light began with 95 %; it is drawn where it is larger than the mark.</p>\n</section>\n");
         }
 
         private static void Legend(HtmlWriter html, string kind, string name) => html
