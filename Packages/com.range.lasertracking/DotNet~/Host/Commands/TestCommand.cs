@@ -5,6 +5,7 @@ using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Threading;
+using System.Threading.Tasks;
 using System.Xml.Linq;
 using LaserTracking.Host.Terminal;
 
@@ -14,6 +15,9 @@ namespace LaserTracking.Host.Commands
     internal static class TestCommand
     {
         private const string Reference = "TestCategory=Reference";
+
+        /// <summary>Each keeps one core busy.</summary>
+        private const int SuitesAtOnce = 2;
 
         private static readonly Suite[] Suites =
         {
@@ -30,7 +34,7 @@ namespace LaserTracking.Host.Commands
             var reference = new Option<bool>("--reference") { Description = "Only the tests that compare with reference files (folder: RANGE_DATA, default ../shared/data)." };
             var filter = new Option<string?>("--filter") { HelpName = "TEXT", Description = "Only tests whose full name holds this text." };
             var command = new Command("test", "Runs every automated test; the last line says how many passed, failed and were skipped.") { reference, filter };
-            command.SetAction((parsed, interrupted) => System.Threading.Tasks.Task.FromResult(Run(parsed.GetValue(reference), parsed.GetValue(filter), interrupted)));
+            command.SetAction((parsed, interrupted) => Task.FromResult(Run(parsed.GetValue(reference), parsed.GetValue(filter), interrupted)));
             return command;
         }
 
@@ -46,17 +50,33 @@ namespace LaserTracking.Host.Commands
             if (Directory.Exists(results))
                 Directory.Delete(results, true);
             var total = new Counts(0, 0, 0);
-            foreach (Suite suite in Suites.Where(s => !referenceOnly || s.Project == "RangeTests"))
+            using var turns = new SemaphoreSlim(SuitesAtOnce);
+            var running = Suites.Where(s => !referenceOnly || s.Project == "RangeTests")
+                .Select(suite => (suite.Name, Counts: Task.Run(() => InTurn(turns, () => RunSuite(root, results, suite, referenceOnly, nameFilter, interrupted))))).ToArray();
+            foreach ((string name, Task<Counts> counts) in running)
             {
-                progress.Show("testing: " + suite.Name + " …");
-                Counts counts = RunSuite(root, results, suite, referenceOnly, nameFilter, interrupted);
+                progress.Show("testing: " + name + " …");
+                Counts found = counts.GetAwaiter().GetResult();
                 progress.Clear();
-                Console.WriteLine($"{suite.Name}: {counts}");
-                total += counts;
+                Console.WriteLine($"{name}: {found}");
+                total += found;
             }
 
             Console.WriteLine(total.ToString());
             return total.Failed > 0 || total.Passed == 0 ? ExitCodes.CheckFailed : ExitCodes.Done;
+        }
+
+        private static Counts InTurn(SemaphoreSlim turns, Func<Counts> run)
+        {
+            turns.Wait();
+            try
+            {
+                return run();
+            }
+            finally
+            {
+                turns.Release();
+            }
         }
 
         private static void Build(string root, CancellationToken interrupted)
