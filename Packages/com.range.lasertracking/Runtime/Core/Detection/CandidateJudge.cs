@@ -66,6 +66,8 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.Area > _settings.MaxAreaPx * area, RejectionReason.TooLarge, candidate.Area / area, _settings.MaxAreaPx)
                 || Fails(ref candidate, candidate.Area < _settings.MinAreaPx * area, RejectionReason.TooSmall, candidate.Area / area, _settings.MinAreaPx))
                 return;
+            if (Fails(ref candidate, candidate.Compactness < _settings.MinCompactness, RejectionReason.NotCompact, candidate.Compactness, _settings.MinCompactness))
+                return;
             candidate.Strength = candidate.PeakRise * Math.Sqrt(candidate.Area / area);
             double fresh = view.Change(candidate.SeedY * view.Width + candidate.SeedX, candidate.Plane) / (double)candidate.PeakRise;
             candidate.IsOnset = fresh >= 0.5;
@@ -89,6 +91,9 @@ namespace LaserTracking.Detection
                 return;
             }
 
+            // Where a flash has passed, pixels stand above their past that have only stopped falling: light rises in some channel.
+            if (Fails(ref candidate, candidate.Freshness < _settings.MinFreshness, RejectionReason.NotNew, candidate.Freshness, _settings.MinFreshness, "freshness"))
+                return;
             Span<float> features = stackalloc float[DotEvidence.Count];
             candidate.LogOdds = Weigh(view, ref candidate, 0, out int against, features);
             EvidenceCurve curve = DotEvidence.Curves[against];

@@ -31,13 +31,19 @@ namespace LaserTracking.Detection
         public double MinLogOdds { get; set; } = 0.4;
 
         /// <summary>Evidence at which one frame suffices, log-odds −20…20.</summary>
-        public double ConclusiveLogOdds { get; set; } = 2.5;
+        public double ConclusiveLogOdds { get; set; } = 2.1;
 
         /// <summary>Least area at half height, px² at 640, 0…10000.</summary>
         public double MinAreaPx { get; set; } = 4;
 
         /// <summary>Largest area at half height, px² at 640, 1…100000.</summary>
         public double MaxAreaPx { get; set; } = 600;
+
+        /// <summary>Least area through that of the ellipse with the same second moments, 0…1: nothing ragged is a dot.</summary>
+        public double MinCompactness { get; set; } = 0.3;
+
+        /// <summary>Least rise of the strongest channel since the last frame, per pixel of the dot, through the peak rise, 0…100.</summary>
+        public double MinFreshness { get; set; } = 0.5;
 
         /// <summary>Largest length through width, 1…100.</summary>
         public double MaxElongation { get; set; } = 12;
@@ -93,6 +99,8 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(ConclusiveLogOdds), ConclusiveLogOdds, -20, 20);
             SettingCheck.InRange(nameof(MinAreaPx), MinAreaPx, 0, 10000);
             SettingCheck.InRange(nameof(MaxAreaPx), MaxAreaPx, 1, 100000);
+            SettingCheck.InRange(nameof(MinCompactness), MinCompactness, 0, 1);
+            SettingCheck.InRange(nameof(MinFreshness), MinFreshness, 0, 100);
             SettingCheck.InRange(nameof(MaxElongation), MaxElongation, 1, 100);
             SettingCheck.InRange(nameof(ConclusiveElongation), ConclusiveElongation, 1, 100);
             SettingCheck.InRange(nameof(MaxRingShare), MaxRingShare, 0, 1);
