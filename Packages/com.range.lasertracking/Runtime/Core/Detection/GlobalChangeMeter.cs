@@ -5,8 +5,8 @@ namespace LaserTracking.Detection
 {
     /// <summary>
     /// What happened to the whole picture at once: the camera was moved by a few pixels, or its exposure changed. Measured on patches
-    /// spread over the picture: displacement by the sums along their rows and columns against remembered ones, brightness by the ratio
-    /// to the last frame; each is believed when most patches agree, so that things that move in the picture have no say.
+    /// spread over the picture: displacement by the sums along their rows and columns against remembered ones, believed when most patches
+    /// agree; brightness by the ratio to the last frame, believed when most pixels agree: things that move in the picture have no say.
     /// </summary>
     internal sealed unsafe class GlobalChangeMeter
     {
@@ -20,6 +20,9 @@ namespace LaserTracking.Detection
         private const double MinAgreement = 0.6;
         private const double AgreementPx = 0.4;
         private const double MinGainChange = 0.015;
+
+        /// <summary>No exposure changes by more from one frame to the next: a flash of the screen does, and adds light instead.</summary>
+        private const double SmallestGain = 0.55, LargestGain = 1.8;
         private const int DarkestForRatio = 24, BrightestForRatio = 245;
 
         /// <summary>Frames after which a patch that does not fit any more shows something else now.</summary>
@@ -167,7 +170,7 @@ namespace LaserTracking.Detection
             }
 
             double gain = near > MinAgreement * count ? sumNow / (double)sumBefore : 1;
-            if (Math.Abs(gain - 1) > MinGainChange)
+            if (Math.Abs(gain - 1) > MinGainChange && gain > SmallestGain && gain < LargestGain)
                 Gain = gain;
         }
 
@@ -201,9 +204,7 @@ namespace LaserTracking.Detection
             {
                 double difference = 0;
                 for (int i = 0; i < Size; i++)
-                {
                     difference += Math.Abs(Slope(sums, first + i + Reach + shift) - reference[offset + i] * Gain);
-                }
 
                 sum += difference;
                 if (difference < best)

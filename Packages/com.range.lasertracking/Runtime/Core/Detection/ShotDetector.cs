@@ -99,7 +99,7 @@ namespace LaserTracking.Detection
             detections.ImageHeightPx = image.Height;
             if (_planes.Fit(image, _settings.FullSizeMaxWidthPx))
                 Restart();
-            
+
             // Noise of the raw picture decides, with a gap between on and off: a smoothed picture has three eighths of it.
             double rawNoise = _isSmooth ? Noise / 0.375 : Noise;
             bool isSmooth = rawNoise > (_isSmooth ? 0.8 : 1) * _settings.SmoothingNoise;
@@ -118,7 +118,7 @@ namespace LaserTracking.Detection
             else
                 _change.Measure(image, rawNoise);
             _content.Scale(_change.Gain);
-            _planes.Update(image, _change, _change.IsUnsteady ? (frame.Index & 3) / 3 : _settings.EnvelopeDecay, _isSmooth, _settings.UseVectors);
+            _planes.Update(image, _change, Decay(), _isSmooth, _settings.UseVectors);
             if (_planes.FrameCount == 2)
             {
                 _planes.SmallestTiles.LearnAtOnce();
@@ -135,6 +135,9 @@ namespace LaserTracking.Detection
                 Search(image, view, detections);
             }
         }
+
+        /// <summary>While the camera shakes, things dim and brighten by how they fall on the pixels: the past then fades by a level every fourth frame only.</summary>
+        private int Decay() => !_change.IsUnsteady ? _settings.EnvelopeDecay : _planes.FrameCount % 4 == 3 ? 1 : 0;
 
         private void Restart()
         {

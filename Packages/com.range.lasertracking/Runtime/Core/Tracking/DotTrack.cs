@@ -21,9 +21,6 @@ namespace LaserTracking.Tracking
         /// <summary>Dots of this flash so far.</summary>
         public int Count;
 
-        /// <summary>Frames that showed a dot of this flash that had moved or begun anew since the frame before.</summary>
-        public int OnsetCount;
-
         public bool IsReported;
 
         /// <summary>It was lost while something moved at its place.</summary>

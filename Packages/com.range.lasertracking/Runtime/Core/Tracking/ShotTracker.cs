@@ -169,8 +169,6 @@ namespace LaserTracking.Tracking
                 track.LastFrame = detections.FrameIndex;
                 track.LastTimeUs = detections.TimeUs;
                 track.Count++;
-                if (dot.IsOnset)
-                    track.OnsetCount++;
                 if (track.First.Color == LaserColor.Unknown)
                     track.First.Color = dot.Color;
             }
@@ -211,7 +209,6 @@ namespace LaserTracking.Tracking
             LastFrame = detections.FrameIndex,
             LastTimeUs = detections.TimeUs,
             Count = 1,
-            OnsetCount = dot.IsOnset ? 1 : 0,
         };
 
         /// <summary>A waiting dot that is gone without a trace was a flash; one that left something behind, or stays too long, was not.</summary>
