@@ -5,6 +5,7 @@ using LaserTracking.Detection;
 using LaserTracking.Fusion;
 using LaserTracking.Geometry;
 using LaserTracking.Hands;
+using LaserTracking.Hands.Model;
 using LaserTracking.Health;
 using LaserTracking.Imaging;
 using LaserTracking.Pipeline;
@@ -30,6 +31,8 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("health-1080p", "1920×1080 BGRA frame in, checks of the picture itself; moving scene, 2 dots", Health),
             new Benchmark("predict-1080p", "rendered frames known: what they cost on top of the search at 1920×1080; 640×360 pictures at 60 a second, everything moves", PredictionBenchmark.Prepare),
             new Benchmark("hands-640x576", "depth frame in, hands out; 2 people", Hands),
+            HandModelBenchmark.Create("hand-landmarks-lite", HandModelFile.Lite),
+            HandModelBenchmark.Create("hand-landmarks-full", HandModelFile.Full),
             new Benchmark("pair-multiuser", "4 shots of one frame to 4 hands", Pair),
             new Benchmark("decode-720p-mjpg", "one 1280×720 4:2:2 JPEG to YUY2", Decode),
             new Benchmark("end-to-end-720p", "1280×720 NV12 frame in, scored hit and event line out; 2 shooters, shots all the time", EndToEnd),

@@ -16,6 +16,8 @@ namespace LaserTracking.Host.Commands
                 ExplainCommand.Create(),
                 ScoreCommand.Create(),
                 CalibrateCommand.Create(),
+                HandsCommand.Create(),
+                ModelsCommand.Create(),
                 StudyCommand.Create(),
                 TrainCommand.Create(),
                 AdviseCommand.Create(),
