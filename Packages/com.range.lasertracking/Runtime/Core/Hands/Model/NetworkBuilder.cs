@@ -251,6 +251,10 @@ namespace LaserTracking.Hands.Model
             var window = new SlidingWindow(Option(step, 0) == 0, height, width, strideY, strideX);
             Require(window.OutputHeight(input.Height) == output.Height && window.OutputWidth(input.Width) == output.Width,
                 "has an output of another size than its window gives");
+
+            // Columns of a convolution and rows of a depthwise one are copied side by side.
+            long scratch = Math.Max((long)output.Width * height * width, (height + 1L) * (input.Width + output.Width * (long)strideX + width)) * input.Channels;
+            Require(scratch <= MaxActivations, "has windows that are too large");
             return window;
         }
 

@@ -22,7 +22,7 @@ namespace LaserTracking.Hands.Model
             byte[] file = NetworkOperatorTests.SmallNetwork();
             var random = new Random(17);
             int refused = 0;
-            for (int trial = 0; trial < 4000; trial++)
+            for (int trial = 0; trial < 1200; trial++)
             {
                 var damaged = (byte[])file.Clone();
                 for (int i = random.Next(1, 5); i > 0; i--)
@@ -34,7 +34,7 @@ namespace LaserTracking.Hands.Model
                 refused += IsRefused(damaged) ? 1 : 0;
             }
 
-            Assert.That(refused, Is.GreaterThan(200));
+            Assert.That(refused, Is.GreaterThan(60));
         }
 
         [TestCase(3, "has a window with gaps", 2)]
