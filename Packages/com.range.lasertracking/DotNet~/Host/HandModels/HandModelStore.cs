@@ -31,6 +31,28 @@ namespace LaserTracking.Host.HandModels
         /// <exception cref="InputException">Its file is missing, cut, or another one.</exception>
         public static HandLandmarkNetwork Open(HandModelFile file) => HandLandmarkNetwork.Open(PathOf(file), file);
 
+        /// <summary>For work that goes on with depth alone: null and, on standard error too, one line that says why.</summary>
+        /// <param name="name">"lite" or "full"; null: none is asked for, and there is no problem.</param>
+        /// <param name="problem">Empty, or why there is none.</param>
+        /// <exception cref="InputException">There is no model of that name.</exception>
+        public static HandLandmarkNetwork? TryOpen(string? name, out string problem)
+        {
+            problem = string.Empty;
+            if (name == null)
+                return null;
+            HandModelFile file = Named(name);
+            try
+            {
+                return Open(file);
+            }
+            catch (InputException refused)
+            {
+                problem = refused.Message + "; hands are found by depth alone";
+                Console.Error.WriteLine("range: " + problem);
+                return null;
+            }
+        }
+
         /// <summary>Empty when the file is there and the right one, else what is wrong with it.</summary>
         public static string ProblemOf(HandModelFile file)
         {

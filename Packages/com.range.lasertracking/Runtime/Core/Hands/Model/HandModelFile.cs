@@ -39,6 +39,9 @@ namespace LaserTracking.Hands.Model
         /// <summary>Lower-case hexadecimal digits.</summary>
         public string Sha256 { get; }
 
+        /// <summary>Which of the two a file claims to be by its name: full when it says so, else lite.</summary>
+        public static HandModelFile ByName(string path) => Path.GetFileName(path).IndexOf(Full.Name, StringComparison.OrdinalIgnoreCase) >= 0 ? Full : Lite;
+
         /// <summary>The file's bytes, once they have been found to be the right ones.</summary>
         /// <exception cref="InputException">It is not there, cut, another file, or cannot be read.</exception>
         public byte[] Read(string path)
