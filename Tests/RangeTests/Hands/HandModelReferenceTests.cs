@@ -4,7 +4,6 @@ using System.IO;
 using System.Linq;
 using LaserTracking.Geometry;
 using LaserTracking.Hands.Model;
-using LaserTracking.Host.HandModels;
 using LaserTracking.Imaging;
 using Newtonsoft.Json.Linq;
 using NUnit.Framework;
@@ -21,7 +20,7 @@ namespace LaserTracking.Hands
         {
             string inputs = TestFiles.Reference("hands", "inputs.json");
             JObject reference = JObject.Parse(File.ReadAllText(TestFiles.Reference("hands", $"reference_{model}.json")));
-            using HandLandmarkNetwork network = Open(model);
+            using HandLandmarkNetwork network = HandModelForTests.Open(model);
             Dictionary<string, JToken> answers = reference["results"]!.ToDictionary(result => (string)result["id"]!);
             var first = new Deviation();
             var second = new Deviation();
@@ -108,7 +107,7 @@ namespace LaserTracking.Hands
         public void HandSearch_DrawnHandInALargerPicture_IsFoundWhereItLies(string model)
         {
             JObject input = HandModelPictures.All(TestFiles.Reference("hands", "inputs.json")).First(item => (string?)item["id"] == "hand_open");
-            using HandLandmarkNetwork network = Open(model);
+            using HandLandmarkNetwork network = HandModelForTests.Open(model);
             using Image hand = HandModelPictures.Draw(input);
             using var picture = new Image();
             picture.Reset(PixelFormat.Bgra32, 560, 420, 0);
@@ -133,7 +132,7 @@ namespace LaserTracking.Hands
         [TestCase("full")]
         public void HandLandmarkNetwork_Infrared_SeesTheSameHandAsInColour(string model)
         {
-            using HandLandmarkNetwork network = Open(model);
+            using HandLandmarkNetwork network = HandModelForTests.Open(model);
             var inColour = new HandLandmarks();
             var inInfrared = new HandLandmarks();
             using var infrared = new Image();
@@ -155,14 +154,6 @@ namespace LaserTracking.Hands
                 TestContext.Out.WriteLine($"{model} {input["id"]}: {worst:F1} px");
                 Assert.That(worst, Is.LessThan(20));
             }
-        }
-
-        private static HandLandmarkNetwork Open(string model)
-        {
-            HandModelFile file = HandModelStore.Named(model);
-            if (!File.Exists(HandModelStore.PathOf(file)))
-                Assert.Ignore("the hand model is not there; './range models' fetches it");
-            return HandModelStore.Open(file);
         }
 
         private static HandRegion Region(JToken roi) => new((double)roi["cx"]!, (double)roi["cy"]!, (double)roi["side"]!, (double)roi["rotation_rad"]!);

@@ -4,7 +4,6 @@ using System.Linq;
 using LaserTracking.Capture;
 using LaserTracking.Geometry;
 using LaserTracking.Hands.Model;
-using LaserTracking.Host.HandModels;
 using LaserTracking.Imaging;
 using Newtonsoft.Json.Linq;
 using NUnit.Framework;
@@ -29,11 +28,8 @@ namespace LaserTracking.Hands
         [TestCase("full", -90, false)]
         public void LandmarkHandTracker_TurnedHand_IsSeenUpright(string model, double degrees, bool isArmSeen)
         {
-            HandModelFile file = HandModelStore.Named(model);
-            if (!File.Exists(HandModelStore.PathOf(file)))
-                Assert.Ignore("the hand model is not there; './range models' fetches it");
             JObject input = HandModelPictures.All(TestFiles.Reference("hands", "inputs.json")).First(item => (string?)item["id"] == "hand_open");
-            using HandLandmarkNetwork network = HandModelStore.Open(file);
+            using HandLandmarkNetwork network = HandModelForTests.Open(model);
             using Image drawn = HandModelPictures.Draw(input);
             var alone = new HandLandmarks();
             network.Run(drawn, new HandRegion(112, 112, 224, 0), alone);

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using LaserTracking.Imaging;
 
 namespace LaserTracking.Hands.Model
@@ -16,9 +17,14 @@ namespace LaserTracking.Hands.Model
         /// <param name="region">Valid.</param>
         /// <param name="size">Side of the crop in its own pixels.</param>
         /// <param name="rgb">size × size × 3.</param>
+        [MethodImpl(JitOptions.OptimizeAtOnce)]
         public static void Cut(Image picture, HandRegion region, int size, float* rgb)
         {
             float sum = 0;
+            int lastX = picture.Width - 1, lastY = picture.Height - 1;
+            PixelFormat format = picture.Format;
+            byte* pixels = picture.Pixels;
+            long stride = picture.Stride;
             double cos = Math.Cos(region.RotationRad), sin = Math.Sin(region.RotationRad), step = region.SidePx / size;
             for (int j = 0; j < size; j++)
             {
@@ -27,19 +33,18 @@ namespace LaserTracking.Hands.Model
                 for (int i = 0; i < size; i++, rgb += 3)
                 {
                     double u = (i + 0.5) * step - 0.5 * region.SidePx;
-                    double x = Math.Max(0, Math.Min(picture.Width - 1, rowX + u * cos));
-                    double y = Math.Max(0, Math.Min(picture.Height - 1, rowY + u * sin));
+                    double x = Limit(rowX + u * cos, lastX), y = Limit(rowY + u * sin, lastY);
                     int left = (int)x, top = (int)y;
-                    int right = Math.Min(left + 1, picture.Width - 1), bottom = Math.Min(top + 1, picture.Height - 1);
+                    int right = left < lastX ? left + 1 : left, bottom = top < lastY ? top + 1 : top;
                     float toRight = (float)(x - left), toBottom = (float)(y - top);
-                    switch (picture.Format)
+                    switch (format)
                     {
                         case PixelFormat.Bgra32:
-                            MixBgra(picture.Pixels + (long)top * picture.Stride, picture.Pixels + (long)bottom * picture.Stride, left, right, toRight, toBottom, rgb);
+                            MixBgra(pixels + top * stride, pixels + bottom * stride, left, right, toRight, toBottom, rgb);
                             break;
                         case PixelFormat.Infrared16:
-                            var above = (ushort*)(picture.Pixels + (long)top * picture.Stride);
-                            var below = (ushort*)(picture.Pixels + (long)bottom * picture.Stride);
+                            var above = (ushort*)(pixels + top * stride);
+                            var below = (ushort*)(pixels + bottom * stride);
                             sum += rgb[0] = Mix(above[left], above[right], below[left], below[right], toRight, toBottom);
                             break;
                         default:
@@ -53,6 +58,7 @@ namespace LaserTracking.Hands.Model
                 Expose(rgb - 3L * size * size, size * size, sum);
         }
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static void MixBgra(byte* above, byte* below, int left, int right, float toRight, float toBottom, float* rgb)
         {
             byte* a = above + 4 * left;
@@ -94,6 +100,9 @@ namespace LaserTracking.Hands.Model
             }
         }
 
+        private static double Limit(double value, double last) => value < 0 ? 0 : value > last ? last : value;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static float Mix(float a, float b, float c, float d, float toRight, float toBottom)
         {
             float top = a + (b - a) * toRight, bottom = c + (d - c) * toRight;
