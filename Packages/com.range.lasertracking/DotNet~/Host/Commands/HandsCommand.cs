@@ -42,8 +42,8 @@ namespace LaserTracking.Host.Commands
             var landmarks = new HandLandmarks();
             if (region is { } given)
                 network.Run(frame.Color, given, landmarks);
-            else
-                new HandSearch(network).TryFind(frame.Color, landmarks);
+            else if (!new HandSearch(network).TryFind(frame.Color, landmarks))
+                Console.Error.WriteLine("range: " + path + ": no hand was found; what follows is the answer to the picture as a whole");
             Console.WriteLine(JsonConvert.SerializeObject(new
             {
                 presence = landmarks.Presence,

@@ -1,5 +1,6 @@
 using System;
 using System.CommandLine;
+using System.IO;
 using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
@@ -32,7 +33,8 @@ namespace LaserTracking.Host.Commands
             foreach (HandModelFile file in HandModelStore.All)
             {
                 string problem = HandModelStore.ProblemOf(file);
-                Console.WriteLine(FormattableString.Invariant($"{(problem.Length == 0 ? "ok" : "missing"),-8} hand model {file.Name}, {file.SizeBytes} bytes, SHA-256 {file.Sha256}"));
+                string state = problem.Length == 0 ? "ok" : File.Exists(HandModelStore.PathOf(file)) ? "wrong" : "missing";
+                Console.WriteLine(FormattableString.Invariant($"{state,-8} hand model {file.Name}, {file.SizeBytes} bytes, SHA-256 {file.Sha256}"));
                 Console.WriteLine("         " + (problem.Length == 0 ? HandModelStore.PathOf(file) : problem));
             }
 
