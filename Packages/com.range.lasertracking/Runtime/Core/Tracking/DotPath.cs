@@ -1,0 +1,73 @@
+using System;
+using LaserTracking.Geometry;
+
+namespace LaserTracking.Tracking
+{
+    /// <summary>Where <see cref="DotTracker"/> believes one dot to be. Pixels of a picture 640 wide, seconds.</summary>
+    internal struct DotPath
+    {
+        public ConstantVelocityFilter X;
+        public ConstantVelocityFilter Y;
+
+        /// <summary>0: not seen often enough to have one.</summary>
+        public int Id;
+        public int Hits;
+
+        /// <summary>On the tracker's own clock, which never runs back.</summary>
+        public long FirstUs;
+        public long LastUs;
+
+        public DotPath(Vector2D at, long timeUs, DotTrackerSettings settings)
+        {
+            double place = settings.TremorPx * settings.TremorPx, speed = settings.FirstSpeedPxPerS * settings.FirstSpeedPxPerS;
+            X = new ConstantVelocityFilter(at.X, place, speed);
+            Y = new ConstantVelocityFilter(at.Y, place, speed);
+            Id = 0;
+            Hits = 1;
+            FirstUs = LastUs = timeUs;
+        }
+
+        /// <summary>White noise of the acceleration, integrated over the step.</summary>
+        public void Predict(double stepS, double wander)
+        {
+            double density = wander * wander, velocityNoise = density * stepS;
+            double covarianceNoise = velocityNoise * stepS / 2, placeNoise = covarianceNoise * stepS * (2.0 / 3);
+            X.Predict(stepS, placeNoise, covarianceNoise, velocityNoise);
+            Y.Predict(stepS, placeNoise, covarianceNoise, velocityNoise);
+        }
+
+        public void Update(Vector2D at, long timeUs, double tremor)
+        {
+            X.Update(at.X, tremor * tremor);
+            Y.Update(at.Y, tremor * tremor);
+            Hits++;
+            LastUs = timeUs;
+        }
+
+        public double DistanceSquared(Vector2D at) => (at - new Vector2D(X.Position, Y.Position)).LengthSquared;
+
+        /// <summary>
+        /// Twice the negative log-likelihood that the dot is seen there, but for a constant: squared Mahalanobis distance, and the wider
+        /// the prediction the less it says. Both axes have the same variances.
+        /// </summary>
+        public double Misfit(Vector2D at, double tremor)
+        {
+            double noise = tremor * tremor, variance = X.PositionVariance + noise;
+            return DistanceSquared(at) / variance + 2 * Math.Log(variance / noise);
+        }
+
+        /// <summary>Squared Mahalanobis distance of place and velocity (four degrees of freedom) between this one and another at the same moment.</summary>
+        public double Misfit(in DotPath other)
+        {
+            double place = X.PositionVariance + other.X.PositionVariance, speed = X.VelocityVariance + other.X.VelocityVariance;
+            double both = X.Covariance + other.X.Covariance, determinant = place * speed - both * both;
+            return (Form(X, other.X, place, both, speed) + Form(Y, other.Y, place, both, speed)) / determinant;
+        }
+
+        private static double Form(in ConstantVelocityFilter a, in ConstantVelocityFilter b, double place, double both, double speed)
+        {
+            double p = a.Position - b.Position, v = a.Velocity - b.Velocity;
+            return speed * p * p - 2 * both * p * v + place * v * v;
+        }
+    }
+}
