@@ -44,23 +44,25 @@ namespace LaserTracking.Tracking
             LastUs = timeUs;
         }
 
-        public double DistanceSquared(Vector2D at) => (at - new Vector2D(X.Position, Y.Position)).LengthSquared;
+        public readonly Vector2D PlacePx => new Vector2D(X.Position, Y.Position);
 
         /// <summary>
-        /// Twice the negative log-likelihood that the dot is seen there, but for a constant: squared Mahalanobis distance, and the wider
-        /// the prediction the less it says. Both axes have the same variances.
+        /// Squared Mahalanobis distance of a dot; with the spread (log-determinant of the covariance: the wider the prediction the less its
+        /// nearness says) twice the negative log-likelihood but for a constant. Both axes have the same variances.
         /// </summary>
-        public double Misfit(Vector2D at, double tremor)
+        public readonly double DistanceSquared(Vector2D at, double tremor, out double spread)
         {
-            double noise = tremor * tremor, variance = X.PositionVariance + noise;
-            return DistanceSquared(at) / variance + 2 * Math.Log(variance / noise);
+            double variance = X.PositionVariance + tremor * tremor;
+            spread = 2 * Math.Log(variance);
+            return (at - PlacePx).LengthSquared / variance;
         }
 
-        /// <summary>Squared Mahalanobis distance of place and velocity (four degrees of freedom) between this one and another at the same moment.</summary>
-        public double Misfit(in DotPath other)
+        /// <summary>The same of place and velocity (four degrees of freedom) between this one and another at the same moment.</summary>
+        public readonly double DistanceSquared(in DotPath other, out double spread)
         {
             double place = X.PositionVariance + other.X.PositionVariance, speed = X.VelocityVariance + other.X.VelocityVariance;
             double both = X.Covariance + other.X.Covariance, determinant = place * speed - both * both;
+            spread = 2 * Math.Log(determinant);
             return (Form(X, other.X, place, both, speed) + Form(Y, other.Y, place, both, speed)) / determinant;
         }
 

@@ -19,11 +19,17 @@ namespace LaserTracking.Tracking
         /// <summary>No frame comes sooner after another as far as motion goes; clocks that stand still or run back count so.</summary>
         private const long LeastStepUs = 1000;
 
-        /// <summary>Five standard deviations: rarer than stray light.</summary>
-        private const double LinkLimit = 25;
+        /// <summary>
+        /// What stray light costs: it comes once in ten frames anywhere on the picture, 2 ln (640 × 360 / 0.1) − 2 ln 2π = 26. Less,
+        /// so that a dot that turns more sharply than any hand begins anew.
+        /// </summary>
+        private const double StrayCost = 20;
 
-        /// <summary>Of place and velocity together, with as rare an error.</summary>
-        private const double ReturnLimit = 30;
+        /// <summary>
+        /// What a new laser costs: it appears anywhere with any velocity of the first kind, 2 ln (640 × 360 × 2π × 250²) − 4 ln 2π = 43, and
+        /// for one that appears four hundred come back (12).
+        /// </summary>
+        private const double NewCost = 55;
 
         private readonly DotTrackerSettings _settings;
         private readonly HungarianAssignment _assignment = new HungarianAssignment(MaxPaths);
@@ -131,7 +137,7 @@ namespace LaserTracking.Tracking
                 for (int c = 0; c < columns; c++)
                 {
                     Vector2D dot = _dots[_columns[c]];
-                    _costs[r * columns + c] = path.DistanceSquared(dot) > radiusSquared ? 0 : Math.Min(0, path.Misfit(dot, _settings.TremorPx) - LinkLimit);
+                    _costs[r * columns + c] = (dot - path.PlacePx).LengthSquared <= radiusSquared ? Cost(path.DistanceSquared(dot, _settings.TremorPx, out double spread), spread, StrayCost) : 0;
                 }
             }
 
@@ -146,7 +152,12 @@ namespace LaserTracking.Tracking
             }
         }
 
-        /// <summary>A pair left apart costs nothing, so only what costs less is a pair.</summary>
+        /// <summary>
+        /// A pair against its two staying apart: twice the negative logarithm of how much likelier it is. Staying apart costs nothing, and
+        /// what is no pair no more than that.
+        /// </summary>
+        private static double Cost(double distanceSquared, double spread, double bound) => Math.Min(0, distanceSquared + spread - bound);
+
         private void Solve(int rows, int columns) =>
             _assignment.Solve(new ReadOnlySpan<double>(_costs, 0, rows * columns), rows, columns, _columnOfRow);
 
@@ -186,7 +197,7 @@ namespace LaserTracking.Tracking
                 for (int c = 0; c < columns; c++)
                 {
                     ref DotPath found = ref _paths[_rows[r]], lost = ref _paths[_columns[c]];
-                    _costs[r * columns + c] = found.FirstUs <= lost.LastUs ? 0 : Math.Min(0, found.Misfit(lost) - ReturnLimit);
+                    _costs[r * columns + c] = found.FirstUs > lost.LastUs ? Cost(found.DistanceSquared(lost, out double spread), spread, NewCost) : 0;
                 }
             }
 
