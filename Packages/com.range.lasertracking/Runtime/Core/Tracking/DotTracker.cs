@@ -31,6 +31,8 @@ namespace LaserTracking.Tracking
         /// </summary>
         private const double NewCost = 55;
 
+        private const int MemoryPerFollowed = 3;
+
         private readonly DotTrackerSettings _settings;
         private readonly HungarianAssignment _assignment = new HungarianAssignment(MaxPaths);
         private readonly DotPath[] _paths = new DotPath[MaxPaths];
@@ -104,8 +106,7 @@ namespace LaserTracking.Tracking
             int kept = 0;
             for (int i = 0; i < _pathCount; i++)
             {
-                // What has been seen too rarely must not be continued by the next stray light.
-                if (_clockUs - _paths[i].LastUs > (_paths[i].Id > 0 ? _settings.MemoryUs : _settings.LinkUs / 2))
+                if (_clockUs - _paths[i].LastUs > MemoryUs(_paths[i]))
                     continue;
                 _paths[i].Predict(stepUs * 1e-6, _settings.SpeedWanderPxPerS);
                 _paths[kept++] = _paths[i];
@@ -113,6 +114,13 @@ namespace LaserTracking.Tracking
 
             _pathCount = kept;
         }
+
+        /// <summary>
+        /// What has been seen too rarely must not be continued by the next stray light, and where a dot went of which only a flash was seen
+        /// nobody knows: no dot is remembered for much longer than it was followed.
+        /// </summary>
+        private long MemoryUs(in DotPath path) =>
+            path.Id == 0 ? _settings.LinkUs / 2 : Math.Min(_settings.MemoryUs, _settings.LinkUs + MemoryPerFollowed * (path.LastUs - path.FirstUs));
 
         /// <summary>Dots continue the ways that were seen just now; ways with a number have the first choice.</summary>
         private void Link(bool isNumbered)
@@ -215,6 +223,7 @@ namespace LaserTracking.Tracking
                 // The old way is now this one; without a number it is forgotten with the next frame.
                 ref DotPath lost = ref _paths[_columns[c]];
                 found.Id = lost.Id;
+                found.FirstUs = lost.FirstUs;
                 lost.Id = 0;
                 lost.LastUs = long.MinValue / 2;
             }
