@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using System.Threading;
@@ -39,12 +40,12 @@ namespace LaserTracking.Host.Commands
                 int age = InRange(maxAge, parsed.GetValue(maxAge) ?? (isSort ? 1 : DefaultDotAge), 0, isSort ? 1_000_000 : 1000);
                 double overlap = InRange(iou, parsed.GetValue(iou) ?? 0.3, 0, 1);
                 double framesPerSecond = InRange(fps, parsed.GetValue(fps) ?? 30, 1, 10_000), imageWidth = InRange(width, parsed.GetValue(width) ?? 1920, 1, 100_000);
-                Run(parsed.GetValue(input)!, parsed.GetValue(output)!, (rows, to, ignored) =>
+                Run(parsed.GetValue(input)!, parsed.GetValue(output)!, (rows, report, ignored) =>
                 {
                     if (isSort)
-                        BoxTracking.Sort(rows, new SortTrackerSettings { MaxAge = age, MinHits = hits, IouThreshold = overlap }, to, ignored, interrupted);
+                        BoxTracking.Sort(rows, new SortTrackerSettings { MaxAge = age, MinHits = hits, IouThreshold = overlap }, report, ignored, interrupted);
                     else
-                        BoxTracking.Dots(rows, DotSettings(age, hits, framesPerSecond), framesPerSecond, imageWidth, to, ignored, interrupted);
+                        BoxTracking.Dots(rows, DotSettings(age, hits, framesPerSecond), framesPerSecond, imageWidth, report, ignored, interrupted);
                 });
                 return Task.FromResult(ExitCodes.Done);
             });
@@ -55,19 +56,19 @@ namespace LaserTracking.Host.Commands
         private static DotTrackerSettings DotSettings(int age, int hits, double framesPerSecond) =>
             new() { MinHits = hits, MemoryUs = Math.Min(60_000_000, (long)((age + 0.5) * 1e6 / framesPerSecond)) };
 
-        private delegate void Tracking(System.Collections.Generic.List<MotRow> rows, TextWriter to, Action<int, int, int> ignored);
+        private delegate void Tracking(List<MotRow> rows, Action<MotRow> report, Action<int, int, int> ignored);
 
         private static void Run(string input, string output, Tracking track)
         {
             ResultFile.CheckNotRead(output, input);
-            var rows = MotFile.Read(input);
+            List<MotRow> rows = MotFile.Read(input);
             if (rows.Count == 0)
                 throw MotFile.Empty(input);
             int frames = 0, worstFrame = 0, worstCount = 0, worstIgnored = 0;
             using var result = new ResultFile(output);
             using (var writer = new StreamWriter(result.Stream, bufferSize: 1 << 16, leaveOpen: true))
             {
-                track(rows, writer, (frame, count, ignored) =>
+                track(rows, row => MotFile.Write(writer, row), (frame, count, ignored) =>
                 {
                     frames++;
                     if (ignored > worstIgnored)

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using System.Runtime.InteropServices;
 using System.Threading;
 using LaserTracking.Geometry;
@@ -8,12 +7,13 @@ using LaserTracking.Tracking;
 
 namespace LaserTracking.Host.Tracks
 {
-    /// <summary>Runs a tracker over the boxes of a file, frame by frame from 1 to the last, and writes what it reports.</summary>
+    /// <summary>Runs a tracker over the boxes of a file, frame by frame from 1 to the last, and passes on what it reports.</summary>
     internal static class BoxTracking
     {
-        /// <param name="rows">By frame.</param>
+        /// <param name="rows">By frame; not empty.</param>
+        /// <param name="report">Called with each tracked box.</param>
         /// <param name="ignored">Called with frame, detections and ignored ones where some had to be.</param>
-        public static void Sort(List<MotRow> rows, SortTrackerSettings settings, TextWriter to, Action<int, int, int> ignored, CancellationToken interrupted)
+        public static void Sort(List<MotRow> rows, SortTrackerSettings settings, Action<MotRow> report, Action<int, int, int> ignored, CancellationToken interrupted)
         {
             var tracker = new SortTracker(settings);
             var boxes = new List<BoundingBox>();
@@ -28,14 +28,15 @@ namespace LaserTracking.Host.Tracks
                 if (tracker.IgnoredDetections > 0)
                     ignored(frame, boxes.Count, tracker.IgnoredDetections);
                 foreach (TrackedBox tracked in tracker.Boxes)
-                    MotFile.Write(to, frame, tracked.TrackId, tracked.Box);
+                    report(new MotRow(frame, tracked.TrackId, tracked.Box, 1));
             }
         }
 
         /// <summary>Dots stand where they were seen; those that have no number (yet) are left out.</summary>
+        /// <param name="rows">By frame.</param>
         /// <param name="framesPerSecond">Of the sequence.</param>
         /// <param name="imageWidthPx">Width of the picture in which the boxes lie.</param>
-        public static void Dots(List<MotRow> rows, DotTrackerSettings settings, double framesPerSecond, double imageWidthPx, TextWriter to,
+        public static void Dots(List<MotRow> rows, DotTrackerSettings settings, double framesPerSecond, double imageWidthPx, Action<MotRow> report,
             Action<int, int, int> ignored, CancellationToken interrupted)
         {
             var tracker = new DotTracker(settings);
@@ -56,7 +57,7 @@ namespace LaserTracking.Host.Tracks
                 for (int i = 0; i < places.Count; i++)
                 {
                     if (ids[i] > 0)
-                        MotFile.Write(to, frame, ids[i], rows[first + i].Box);
+                        report(rows[first + i] with { Id = ids[i] });
                 }
             }
         }

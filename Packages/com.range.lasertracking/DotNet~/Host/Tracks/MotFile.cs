@@ -65,8 +65,8 @@ namespace LaserTracking.Host.Tracks
         public static InputException Empty(string path) => new(path, "is empty (no line)", Remedy);
 
         /// <summary>"frame,id,x,y,w,h" and a line feed.</summary>
-        public static void Write(TextWriter to, int frame, int id, in BoundingBox box) =>
-            to.Write(string.Create(CultureInfo.InvariantCulture, $"{frame},{id},{box.X:F6},{box.Y:F6},{box.Width:F6},{box.Height:F6}\n"));
+        public static void Write(TextWriter to, in MotRow row) =>
+            to.Write(string.Create(CultureInfo.InvariantCulture, $"{row.Frame},{row.Id},{row.Box.X:F6},{row.Box.Y:F6},{row.Box.Width:F6},{row.Box.Height:F6}\n"));
 
         private static MotRow Parse(string path, int number, string line, double[] fields)
         {
