@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Runtime.InteropServices;
 using System.Threading;
 using LaserTracking.Geometry;
 using LaserTracking.Tracking;
@@ -16,49 +15,56 @@ namespace LaserTracking.Host.Tracks
         public static void Sort(List<MotRow> rows, SortTrackerSettings settings, Action<MotRow> report, Action<int, int, int> ignored, CancellationToken interrupted)
         {
             var tracker = new SortTracker(settings);
-            var boxes = new List<BoundingBox>();
-            int next = 0, last = rows[^1].Frame;
-            for (int frame = 1; frame <= last; frame++)
+            EachFrame(rows, interrupted, (frame, first, count) =>
             {
-                interrupted.ThrowIfCancellationRequested();
-                boxes.Clear();
-                for (; next < rows.Count && rows[next].Frame == frame; next++)
-                    boxes.Add(rows[next].Box);
-                tracker.Process(CollectionsMarshal.AsSpan(boxes));
+                var boxes = new BoundingBox[count];
+                for (int i = 0; i < count; i++)
+                    boxes[i] = rows[first + i].Box;
+                tracker.Process(boxes);
                 if (tracker.IgnoredDetections > 0)
-                    ignored(frame, boxes.Count, tracker.IgnoredDetections);
+                    ignored(frame, count, tracker.IgnoredDetections);
                 foreach (TrackedBox tracked in tracker.Boxes)
                     report(new MotRow(frame, tracked.TrackId, tracked.Box, 1));
-            }
+            });
         }
 
         /// <summary>Dots stand where they were seen; those that have no number (yet) are left out.</summary>
-        /// <param name="rows">By frame.</param>
+        /// <param name="rows">By frame; not empty.</param>
         /// <param name="framesPerSecond">Of the sequence.</param>
         /// <param name="imageWidthPx">Width of the picture in which the boxes lie.</param>
         public static void Dots(List<MotRow> rows, DotTrackerSettings settings, double framesPerSecond, double imageWidthPx, Action<MotRow> report,
             Action<int, int, int> ignored, CancellationToken interrupted)
         {
             var tracker = new DotTracker(settings);
-            var places = new List<Vector2D>();
-            int[] ids = [];
-            for (int first = 0; first < rows.Count; first += places.Count)
+            EachFrame(rows, interrupted, (frame, first, count) =>
             {
-                interrupted.ThrowIfCancellationRequested();
-                int frame = rows[first].Frame;
-                places.Clear();
-                for (int i = first; i < rows.Count && rows[i].Frame == frame; i++)
-                    places.Add(new Vector2D(rows[i].Box.CenterX, rows[i].Box.CenterY));
-                if (ids.Length < places.Count)
-                    ids = new int[places.Count];
-                tracker.Process((long)Math.Round(frame * 1e6 / framesPerSecond), CollectionsMarshal.AsSpan(places), imageWidthPx, ids);
+                var places = new Vector2D[count];
+                var ids = new int[count];
+                for (int i = 0; i < count; i++)
+                    places[i] = new Vector2D(rows[first + i].Box.CenterX, rows[first + i].Box.CenterY);
+                tracker.Process((long)Math.Round(frame * 1e6 / framesPerSecond), places, imageWidthPx, ids);
                 if (tracker.IgnoredDots > 0)
-                    ignored(frame, places.Count, tracker.IgnoredDots);
-                for (int i = 0; i < places.Count; i++)
+                    ignored(frame, count, tracker.IgnoredDots);
+                for (int i = 0; i < count; i++)
                 {
                     if (ids[i] > 0)
                         report(rows[first + i] with { Id = ids[i] });
                 }
+            });
+        }
+
+        /// <summary>Calls with frame, index of its first row and number of its rows; also for frames without rows.</summary>
+        private static void EachFrame(List<MotRow> rows, CancellationToken interrupted, Action<int, int, int> process)
+        {
+            int first = 0, last = rows[^1].Frame;
+            for (int frame = 1; frame <= last; frame++)
+            {
+                interrupted.ThrowIfCancellationRequested();
+                int next = first;
+                while (next < rows.Count && rows[next].Frame == frame)
+                    next++;
+                process(frame, first, next - first);
+                first = next;
             }
         }
     }

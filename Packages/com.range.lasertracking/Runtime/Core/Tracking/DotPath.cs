@@ -18,13 +18,20 @@ namespace LaserTracking.Tracking
         public long LastUs;
 
         public DotPath(Vector2D at, long timeUs, DotTrackerSettings settings)
+            : this()
+        {
+            FirstUs = timeUs;
+            Restart(at, timeUs, settings);
+        }
+
+        /// <summary>Seen there, with a velocity of which nothing is known.</summary>
+        public void Restart(Vector2D at, long timeUs, DotTrackerSettings settings)
         {
             double place = settings.TremorPx * settings.TremorPx, speed = settings.FirstSpeedPxPerS * settings.FirstSpeedPxPerS;
             X = new ConstantVelocityFilter(at.X, place, speed);
             Y = new ConstantVelocityFilter(at.Y, place, speed);
-            Id = 0;
-            Hits = 1;
-            FirstUs = LastUs = timeUs;
+            Hits++;
+            LastUs = timeUs;
         }
 
         /// <summary>White noise of the acceleration, integrated over the step.</summary>

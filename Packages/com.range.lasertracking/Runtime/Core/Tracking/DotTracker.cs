@@ -32,6 +32,7 @@ namespace LaserTracking.Tracking
         private const double NewCost = 55;
 
         private const int MemoryPerFollowed = 3;
+        private const long SlowestFrameUs = 200_000;
 
         private readonly DotTrackerSettings _settings;
         private readonly HungarianAssignment _assignment = new HungarianAssignment(MaxPaths);
@@ -46,6 +47,7 @@ namespace LaserTracking.Tracking
         private int _pathCount;
         private int _lastId;
         private long _clockUs;
+        private long _frameUs;
         private long _previousTimeUs;
         private bool _isBegun;
 
@@ -68,7 +70,7 @@ namespace LaserTracking.Tracking
             _isBegun = false;
         }
 
-        /// <summary>Takes the dots of the next frame; frames without any may be left out.</summary>
+        /// <summary>Takes the dots of the next frame; also the frames without any should be given.</summary>
         /// <param name="timeUs">Mid-exposure.</param>
         /// <param name="positionsPx">In pixels of the picture; those that are not finite get no number.</param>
         /// <param name="imageWidthPx">Width of the picture, above 0.</param>
@@ -77,8 +79,10 @@ namespace LaserTracking.Tracking
         {
             Take(positionsPx, SettingsWidthPx / imageWidthPx);
             Step(timeUs);
-            Link(isNumbered: true);
-            Link(isNumbered: false);
+            Link(isNumbered: true, isJump: false);
+            Link(isNumbered: false, isJump: false);
+            if (_settings.JumpRadiusPx > 0)
+                Link(isNumbered: true, isJump: true);
             Begin();
             Return();
             ids.Slice(0, positionsPx.Length).Clear();
@@ -103,6 +107,7 @@ namespace LaserTracking.Tracking
             _isBegun = true;
             _previousTimeUs = timeUs;
             _clockUs += stepUs;
+            _frameUs = Math.Min(stepUs, SlowestFrameUs);
             int kept = 0;
             for (int i = 0; i < _pathCount; i++)
             {
@@ -120,15 +125,21 @@ namespace LaserTracking.Tracking
         /// nobody knows: no dot is remembered for much longer than it was followed.
         /// </summary>
         private long MemoryUs(in DotPath path) =>
-            path.Id == 0 ? _settings.LinkUs / 2 : Math.Min(_settings.MemoryUs, _settings.LinkUs + MemoryPerFollowed * (path.LastUs - path.FirstUs));
+            path.Id == 0 ? Math.Max(_settings.LinkUs / 2, _frameUs) : Math.Min(_settings.MemoryUs, LinkUs + MemoryPerFollowed * (path.LastUs - path.FirstUs));
 
-        /// <summary>Dots continue the ways that were seen just now; ways with a number have the first choice.</summary>
-        private void Link(bool isNumbered)
+        /// <summary>However slow the frames, the next one may continue what the last one showed.</summary>
+        private long LinkUs => Math.Max(_settings.LinkUs, _frameUs);
+
+        /// <summary>
+        /// Dots continue the ways that were seen just now; ways with a number have the first choice. A jump breaks with the way and
+        /// begins another under the same number.
+        /// </summary>
+        private void Link(bool isNumbered, bool isJump)
         {
             int rows = 0, columns = 0;
             for (int i = 0; i < _pathCount; i++)
             {
-                if (_paths[i].Id > 0 == isNumbered && _paths[i].LastUs < _clockUs && _clockUs - _paths[i].LastUs <= _settings.LinkUs)
+                if (_paths[i].Id > 0 == isNumbered && _paths[i].LastUs < _clockUs && _clockUs - _paths[i].LastUs <= LinkUs)
                     _rows[rows++] = i;
             }
 
@@ -138,14 +149,15 @@ namespace LaserTracking.Tracking
                     _columns[columns++] = d;
             }
 
-            double radiusSquared = _settings.LinkRadiusPx * _settings.LinkRadiusPx;
+            double radius = isJump ? _settings.JumpRadiusPx : _settings.LinkRadiusPx;
             for (int r = 0; r < rows; r++)
             {
                 ref DotPath path = ref _paths[_rows[r]];
                 for (int c = 0; c < columns; c++)
                 {
                     Vector2D dot = _dots[_columns[c]];
-                    _costs[r * columns + c] = (dot - path.PlacePx).LengthSquared <= radiusSquared ? Cost(path.DistanceSquared(dot, _settings.TremorPx, out double spread), spread, StrayCost) : 0;
+                    double jump = Math.Min(0, (dot - path.PlacePx).LengthSquared - radius * radius);
+                    _costs[r * columns + c] = isJump || jump == 0 ? jump : Cost(path.DistanceSquared(dot, _settings.TremorPx, out double spread), spread, StrayCost);
                 }
             }
 
@@ -155,7 +167,10 @@ namespace LaserTracking.Tracking
                 int c = _columnOfRow[r];
                 if (c < 0 || _costs[r * columns + c] >= 0)
                     continue;
-                _paths[_rows[r]].Update(_dots[_columns[c]], _clockUs, _settings.TremorPx);
+                if (isJump)
+                    _paths[_rows[r]].Restart(_dots[_columns[c]], _clockUs, _settings);
+                else
+                    _paths[_rows[r]].Update(_dots[_columns[c]], _clockUs, _settings.TremorPx);
                 _pathOfDot[_columns[c]] = _rows[r];
             }
         }

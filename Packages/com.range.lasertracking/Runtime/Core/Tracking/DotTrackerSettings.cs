@@ -22,6 +22,12 @@ namespace LaserTracking.Tracking
         public double LinkRadiusPx { get; set; } = 40;
 
         /// <summary>
+        /// A dot that fits no way is taken for a jump (a jerk of the hand, recoil) of one that was lost just now within this, px at 640,
+        /// 0…640; 0: no jumps. Right where hardly a dot is missed and stray light is rare; otherwise jumps cost more numbers than they keep.
+        /// </summary>
+        public double JumpRadiusPx { get; set; }
+
+        /// <summary>
         /// Standard deviation of a dot's place about its smooth way along each axis, px at 640, 0.01…100: tremor of the hand (4–12 Hz, too
         /// fast for the frame rate to follow) and error of measurement.
         /// </summary>
@@ -40,6 +46,7 @@ namespace LaserTracking.Tracking
             SettingCheck.InRange(nameof(MemoryUs), MemoryUs, 0, 60_000_000);
             SettingCheck.InRange(nameof(LinkUs), LinkUs, 0, 10_000_000);
             SettingCheck.InRange(nameof(LinkRadiusPx), LinkRadiusPx, 1, 640);
+            SettingCheck.InRange(nameof(JumpRadiusPx), JumpRadiusPx, 0, 640);
             SettingCheck.InRange(nameof(TremorPx), TremorPx, 0.01, 100);
             SettingCheck.InRange(nameof(FirstSpeedPxPerS), FirstSpeedPxPerS, 1, 100_000);
             SettingCheck.InRange(nameof(SpeedWanderPxPerS), SpeedWanderPxPerS, 1, 100_000);

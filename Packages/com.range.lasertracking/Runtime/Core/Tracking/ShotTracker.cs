@@ -27,7 +27,7 @@ namespace LaserTracking.Tracking
         private readonly TrackedDot[] _dots = new TrackedDot[MaxTracks];
         private readonly RejectedCandidate[] _rejected = new RejectedCandidate[2 * MaxTracks];
         private readonly bool[] _taken = new bool[MaxTracks];
-        private readonly DotTracker _lasers = new DotTracker(new DotTrackerSettings { MinHits = 1 });
+        private readonly DotTracker _lasers;
         private readonly Vector2D[] _places = new Vector2D[MaxTracks];
         private readonly int[] _laserOfDot = new int[MaxTracks];
         private int _trackCount;
@@ -46,6 +46,9 @@ namespace LaserTracking.Tracking
         {
             _settings = settings?.Clone() ?? new ShotTrackerSettings();
             _settings.Validate();
+
+            // Every dot here has passed the detector's judgement.
+            _lasers = new DotTracker(new DotTrackerSettings { MinHits = 1, JumpRadiusPx = _settings.LinkRadiusPx });
             _origin = new LightOrigin(_settings.Timing, _settings.HandSpeedPxPerS);
             Reset();
         }

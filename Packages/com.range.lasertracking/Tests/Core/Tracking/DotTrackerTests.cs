@@ -116,6 +116,18 @@ namespace LaserTracking.Tracking
             Assert.That(Next(Way(0, 41))[0], Is.EqualTo(1));
         }
 
+        [Test]
+        public void Process_HandThatJerksFromRest_KeepsItsNumberWhereJumpsAreAllowed()
+        {
+            _tracker = new DotTracker(new DotTrackerSettings { JumpRadiusPx = 40 });
+            for (int frame = 0; frame < 30; frame++)
+                Next(new Vector2D(500, 500), new Vector2D(900, 500));
+            for (int frame = 1; frame < 6; frame++)
+                Assert.That(Next(new Vector2D(500 + 70 * frame, 500 - 50 * frame), new Vector2D(900, 500)), Is.EqualTo(new[] { 1, 2 }), "frame " + frame);
+        }
+
+        [TestCase(1920, 8)]
+        [TestCase(1920, 15)]
         [TestCase(1920, 30)]
         [TestCase(640, 30)]
         [TestCase(1280, 60)]
