@@ -39,7 +39,7 @@ namespace LaserTracking.Calibration
 
         private static void Compare(List<BoardView> views, int width, int height, string model, JToken reference, string name)
         {
-            Assert.That(CameraCalibrator.TryCalibrate(views, width, height, StereoReference.Model(model), out CameraCalibration? found, out string reason), Is.True, reason);
+            Assert.That(CameraCalibrator.TryCalibrate(views, width, height, StereoReference.Model(model), true, out CameraCalibration? found, out string reason), Is.True, reason);
             double[] k = StereoReference.Numbers(reference["K"]!), deviations = StereoReference.Numbers(reference["std_fx_fy_cx_cy"]!), perView = StereoReference.Numbers(reference["per_view_rms"]!);
             double[] expected = { k[0], k[4], k[2], k[5] }, parameters = CameraParameters.Of(found!.Camera);
             double worst = Enumerable.Range(0, 4).Max(i => Math.Abs(parameters[i] - expected[i]) / deviations[i]);

@@ -22,9 +22,10 @@ namespace LaserTracking.Calibration
         /// <param name="width">Picture width in pixels.</param>
         /// <param name="height">Picture height in pixels.</param>
         /// <param name="model">Which coefficients of the lens are sought.</param>
+        /// <param name="keepsAll">Also views that do not fit the others.</param>
         /// <param name="calibration">Null when refused.</param>
         /// <param name="reason">Why it was refused, one line; empty on success.</param>
-        public static bool TryCalibrate(IReadOnlyList<BoardView> views, int width, int height, LensModel model, out CameraCalibration? calibration, out string reason)
+        public static bool TryCalibrate(IReadOnlyList<BoardView> views, int width, int height, LensModel model, bool keepsAll, out CameraCalibration? calibration, out string reason)
         {
             calibration = null;
             var leftOut = new List<LeftOutView>();
@@ -43,7 +44,7 @@ namespace LaserTracking.Calibration
                 }
 
                 int outlier = OutlierViews.Find(fit.PerViewRmsPx, out double median);
-                if (outlier < 0 || 4 * leftOut.Count >= views.Count)
+                if (keepsAll || outlier < 0 || 4 * leftOut.Count >= views.Count)
                     break;
                 leftOut.Add(new LeftOutView(used[outlier].Name, FormattableString.Invariant(
                     $"its error is {fit.PerViewRmsPx[outlier]:F2} px where {median:F2} px is usual: blurred, moved, or its corners are badly found")));

@@ -19,9 +19,9 @@ namespace LaserTracking.Calibration
         public static bool TryEstimate(BoardView view, LensCamera camera, out PlanarPose? pose, out string reason)
         {
             pose = null;
-            if (!TryCentredHomography(view, camera, out Vector2D center, out Homography homography, out reason))
+            if (!TryCentredHomography(view, camera, out Vector2D[] rays, out Homography homography, out reason))
                 return false;
-            var candidates = ClosedForm(homography);
+            Rotation3D[] rotations = ClosedForm(homography);
             BundleCamera[] cameras = { BundleCamera.Known(camera.Pinhole.Width, camera.Pinhole.Height) };
             BundleObservation[] observations = { new BundleObservation(0, 0, view) };
             double[][] lenses = { CameraParameters.Of(camera) };
@@ -30,7 +30,7 @@ namespace LaserTracking.Calibration
             var refined = new Pose[2];
             for (int i = 0; i < 2; i++)
             {
-                closed[i] = new Pose(candidates[i].Position - candidates[i].Rotation * new Vector3D(center.X, center.Y, 0), candidates[i].Rotation);
+                closed[i] = new Pose(Position(view.BoardMm, rays, rotations[i]), rotations[i]);
                 var start = new BundleState(lenses, new[] { Pose.Identity }, new[] { closed[i] });
                 closedRms[i] = NormalEquations.TryBuild(cameras, observations, start)?.RmsPx ?? double.PositiveInfinity;
                 BundleState? solved = BundleAdjuster.Solve(cameras, observations, start, out NormalEquations? equations);
@@ -52,12 +52,12 @@ namespace LaserTracking.Calibration
             return true;
         }
 
-        /// <summary>From the board, its middle at the origin, to rays. A board that is seen from behind has the wrong orientation.</summary>
-        private static bool TryCentredHomography(BoardView view, LensCamera camera, out Vector2D center, out Homography homography, out string reason)
+        /// <summary>From the board, its middle at the origin, to rays.</summary>
+        private static bool TryCentredHomography(BoardView view, LensCamera camera, out Vector2D[] rays, out Homography homography, out string reason)
         {
-            center = default;
+            Vector2D center = default;
             homography = Homography.Identity;
-            var rays = new Vector2D[view.ImagePx.Length];
+            rays = new Vector2D[view.ImagePx.Length];
             for (int i = 0; i < rays.Length; i++)
             {
                 if (!camera.TryUnproject(view.ImagePx[i], out rays[i]))
@@ -82,9 +82,8 @@ namespace LaserTracking.Calibration
         /// At the board's middle the homography's derivative is the first two columns of the rotation seen along the ray, shrunk by the
         /// depth. Their third components follow from their length 1 up to one common sign: hence two solutions.
         /// </summary>
-        private static Pose[] ClosedForm(Homography homography)
+        private static Rotation3D[] ClosedForm(Homography homography)
         {
-            double[] h = homography.ToArray();
             Vector2D ray = homography.Map(default);
             homography.Jacobian(default, out double xx, out double xy, out double yx, out double yy);
             Rotation3D toRay = FromForward(new Vector3D(ray.X, ray.Y, 1).Normalized);
@@ -99,24 +98,39 @@ namespace LaserTracking.Calibration
             double third0 = Math.Sqrt(Math.Max(0, 1 - r00 * r00 - r10 * r10)), third1 = Math.Sqrt(Math.Max(0, 1 - r01 * r01 - r11 * r11));
             if (-(r00 * r01 + r10 * r11) < 0)
                 third1 = -third1;
-            var poses = new Pose[2];
+            var rotations = new Rotation3D[2];
             for (int i = 0; i < 2; i++)
             {
                 double sign = i == 0 ? 1 : -1;
                 Vector3D x = toRay * new Vector3D(r00, r10, sign * third0), y = toRay * new Vector3D(r01, r11, sign * third1);
                 Vector3D z = Vector3D.Cross(x, y);
-                poses[i] = new Pose(Position(h, x, y), Matrices.NearestRotation(new[] { x.X, y.X, z.X, x.Y, y.Y, z.Y, x.Z, y.Z, z.Z }));
+                rotations[i] = Matrices.NearestRotation(new[] { x.X, y.X, z.X, x.Y, y.Y, z.Y, x.Z, y.Z, z.Z });
             }
 
-            return poses;
+            return rotations;
         }
 
-        /// <summary>With the rotation known, the mapping of the board's middle and its scale leave the place.</summary>
-        private static Vector3D Position(double[] h, Vector3D x, Vector3D y)
+        /// <summary>With the rotation known the place is linear in the measurements: T.X − ray.X T.Z = ray.X q.Z − q.X with q = R X.</summary>
+        private static Vector3D Position(Vector2D[] boardMm, Vector2D[] rays, Rotation3D rotation)
         {
-            // H = s [x y t]: the scale that fits the first two columns best.
-            double scale = (h[0] * x.X + h[3] * x.Y + h[6] * x.Z + h[1] * y.X + h[4] * y.Y + h[7] * y.Z) / (x.LengthSquared + y.LengthSquared);
-            return new Vector3D(h[2], h[5], h[8]) * (1 / scale);
+            double x = 0, y = 0, squares = 0, rightX = 0, rightY = 0, rightZ = 0;
+            for (int i = 0; i < rays.Length; i++)
+            {
+                Vector3D q = rotation * new Vector3D(boardMm[i].X, boardMm[i].Y, 0);
+                Vector2D ray = rays[i];
+                double alongX = ray.X * q.Z - q.X, alongY = ray.Y * q.Z - q.Y;
+                x += ray.X;
+                y += ray.Y;
+                squares += ray.LengthSquared;
+                rightX += alongX;
+                rightY += alongY;
+                rightZ -= ray.X * alongX + ray.Y * alongY;
+            }
+
+            int n = rays.Length;
+            Matrix<double> left = Matrices.Of(new[] { n, 0, -x, 0, n, -y, -x, -y, squares });
+            Vector<double> solution = left.Solve(Vector<double>.Build.DenseOfArray(new[] { rightX, rightY, rightZ }));
+            return new Vector3D(solution[0], solution[1], solution[2]);
         }
 
         /// <summary>The shortest turn that takes the z axis to a direction.</summary>
