@@ -36,6 +36,29 @@ namespace LaserTracking.Geometry
             return point.Z > 0 && TryProject(new Vector2D(point.X / point.Z, point.Y / point.Z), out pixel);
         }
 
+        /// <summary>Where the same camera without distortion would see what lies at a pixel; false outside what the lens model covers.</summary>
+        public bool TryUndistort(Vector2D pixel, out Vector2D ideal)
+        {
+            bool isValid = TryUnproject(pixel, out Vector2D ray);
+            ideal = ToPixel(ray);
+            return isValid;
+        }
+
+        /// <summary>The inverse of <see cref="TryUndistort"/>; false outside what the lens model covers.</summary>
+        public bool TryDistort(Vector2D ideal, out Vector2D pixel) =>
+            TryProject(new Vector2D((ideal.X - Pinhole.CenterXPx) / Pinhole.FocalXPx, (ideal.Y - Pinhole.CenterYPx) / Pinhole.FocalYPx), out pixel);
+
+        /// <summary>How pixels move with those of the camera without distortion, at a pixel.</summary>
+        /// <param name="pixel">One that <see cref="TryUnproject"/> finds a ray for.</param>
+        /// <param name="pixelByIdeal">2×2, row by row.</param>
+        public void DistortionJacobian(Vector2D pixel, Span<double> pixelByIdeal)
+        {
+            TryUnproject(pixel, out Vector2D ray);
+            Distortion.Distort(ray, pixelByIdeal, default);
+            pixelByIdeal[1] *= Pinhole.FocalXPx / Pinhole.FocalYPx;
+            pixelByIdeal[2] *= Pinhole.FocalYPx / Pinhole.FocalXPx;
+        }
+
         /// <summary>
         /// Where a point of camera space is seen, with derivatives for a solver; false only at or behind the camera, for a solver may
         /// pass through places that the lens model does not cover. All derivatives are rows for x and y, one after the other.
