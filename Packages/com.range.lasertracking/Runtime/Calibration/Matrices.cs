@@ -10,11 +10,7 @@ namespace LaserTracking.Calibration
         /// <summary>Row by row.</summary>
         public static Matrix<double> Of(double[] rows) => Matrix<double>.Build.Dense(3, 3, (row, column) => rows[row * 3 + column]);
 
-        public static Matrix<double> Of(Rotation3D rotation)
-        {
-            Vector3D x = rotation * new Vector3D(1, 0, 0), y = rotation * new Vector3D(0, 1, 0), z = rotation * new Vector3D(0, 0, 1);
-            return Of(new[] { x.X, y.X, z.X, x.Y, y.Y, z.Y, x.Z, y.Z, z.Z });
-        }
+        public static Matrix<double> Of(Rotation3D rotation) => Of(rotation.ToMatrix());
 
         /// <summary>[v]: [v] w = v × w.</summary>
         public static Matrix<double> Cross(Vector3D v) => Of(new[] { 0, -v.Z, v.Y, v.Z, 0, -v.X, -v.Y, v.X, 0 });

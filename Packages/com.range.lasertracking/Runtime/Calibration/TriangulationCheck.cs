@@ -67,7 +67,7 @@ namespace LaserTracking.Calibration
         }
 
         /// <summary>Points of the board that both views show.</summary>
-        private static IEnumerable<(Vector2D Board, Vector2D Left, Vector2D Right)> Common(BoardPair pair)
+        public static IEnumerable<(Vector2D Board, Vector2D Left, Vector2D Right)> Common(BoardPair pair)
         {
             var right = new Dictionary<Vector2D, Vector2D>();
             for (int i = 0; i < pair.Right.BoardMm.Length; i++)
