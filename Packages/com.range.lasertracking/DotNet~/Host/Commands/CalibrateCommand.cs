@@ -15,7 +15,7 @@ namespace LaserTracking.Host.Commands
         private const double MinimumScreenM = 0.05;
         private const double MaximumScreenM = 100;
 
-        public static Command Create() => new("calibrate", "Determines the screen, a camera or two cameras, and checks them.") { Screen(), Verify(), CalibrateBoardCommand.Create(), CalibrateStereoCommand.Create(), CalibrateHistoryCommand.Create() };
+        public static Command Create() => new("calibrate", "Determines the screen, a camera or two cameras, and checks them.") { Screen(), Verify(), CalibrateBoardCommand.Create(), CalibrateStereoCommand.Create(), CalibrateHistoryCommand.Create(), CalibrateSimulateCommand.Create() };
 
         private static Command Screen()
         {
