@@ -5,12 +5,11 @@ namespace LaserTracking.Patterns
     /// <summary>One corner of a projected board, as a camera sees it.</summary>
     public readonly struct ScreenPoint
     {
-        public ScreenPoint(Vector2D place, ScreenPointState state, Vector2D imagePx, double sigmaPx, double contrast, double blurPx)
+        public ScreenPoint(Vector2D place, ScreenPointState state, Vector2D imagePx, double contrast, double blurPx)
         {
             Place = place;
             State = state;
             ImagePx = imagePx;
-            SigmaPx = sigmaPx;
             Contrast = contrast;
             BlurPx = blurPx;
         }
@@ -22,9 +21,6 @@ namespace LaserTracking.Patterns
 
         /// <summary>Where the camera sees it; where it would have to be, unless it was measured.</summary>
         public Vector2D ImagePx { get; }
-
-        /// <summary>Standard deviation along each axis that the measurement itself suggests, px.</summary>
-        public double SigmaPx { get; }
 
         /// <summary>Half of the difference between white and black there, levels.</summary>
         public double Contrast { get; }

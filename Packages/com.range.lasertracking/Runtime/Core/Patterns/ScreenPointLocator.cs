@@ -12,10 +12,8 @@ namespace LaserTracking.Patterns
     {
         private const int Rounds = 3;
 
-        /// <summary>Shares of a cell: window of the measurement, and how far a point may lie from where it is expected.</summary>
-        private const double WindowShare = 0.24, LargestMiss = 0.2, Aside = 0.22;
-
-        private const double LeastWindowPx = 2.5, LargestWindowPx = 16;
+        /// <summary>Shares of a cell: how far a point may lie from where it is expected, and where its four cells' colours are read.</summary>
+        private const double LargestMiss = 0.2, Aside = 0.22;
 
         /// <summary>Levels of contrast below which there is nothing to measure.</summary>
         private const double LeastContrast = 1.5;
@@ -24,19 +22,19 @@ namespace LaserTracking.Patterns
         private const double LeastRelativeContrast = 0.55;
 
         private readonly ScreenBoard _board;
-        private readonly LightPlane _plane;
+        private readonly SignalPicture _signal;
         private readonly double _sign;
         private readonly ScreenPoint[] _points;
         private readonly Vector2D[] _known;
         private readonly bool[] _isKnown;
 
         /// <param name="board">What is seen.</param>
-        /// <param name="plane">Where; white above zero, or below when not upright.</param>
+        /// <param name="signal">Where.</param>
         /// <param name="isUpright">White cells are the bright ones.</param>
-        public ScreenPointLocator(ScreenBoard board, LightPlane plane, bool isUpright)
+        public ScreenPointLocator(ScreenBoard board, SignalPicture signal, bool isUpright)
         {
             _board = board;
-            _plane = plane;
+            _signal = signal;
             _sign = isUpright ? 1 : -1;
             _points = new ScreenPoint[board.Count];
             _known = new Vector2D[board.Count];
@@ -58,7 +56,7 @@ namespace LaserTracking.Patterns
                 {
                     _isKnown[i] = false;
                     if (_points[i].State == ScreenPointState.Measured && _points[i].Contrast < LeastRelativeContrast * Around(i))
-                        _points[i] = new ScreenPoint(_points[i].Place, ScreenPointState.Covered, _points[i].ImagePx, 0, _points[i].Contrast, 0);
+                        _points[i] = new ScreenPoint(_points[i].Place, ScreenPointState.Covered, _points[i].ImagePx, _points[i].Contrast, 0);
                 }
 
                 for (int i = 0; i < _points.Length; i++)
@@ -101,20 +99,21 @@ namespace LaserTracking.Patterns
             toImage.Jacobian(place, out double xx, out double xy, out double yx, out double yy);
             var along = new Vector2D(xx / ScreenBoard.CellsAcross, yx / ScreenBoard.CellsAcross);
             var across = new Vector2D(xy / _board.CellsDown, yy / _board.CellsDown);
-            double cell = Math.Min(along.Length, across.Length), window = Math.Max(LeastWindowPx, Math.Min(LargestWindowPx, WindowShare * cell));
-            double room = window + 2;
-            if (!(expected.X >= room && expected.Y >= room && expected.X < _plane.Width - room && expected.Y < _plane.Height - room))
-                return new ScreenPoint(place, ScreenPointState.OutOfPicture, expected, 0, 0, 0);
+            double cell = Math.Min(along.Length, across.Length);
+            int window = CornerRefiner.HalfWindow(cell);
+            double room = Math.Max(window + 3, 0.3 * cell);
+            if (!(expected.X >= room && expected.Y >= room && expected.X < _signal.Full.Width - room && expected.Y < _signal.Full.Height - room))
+                return new ScreenPoint(place, ScreenPointState.OutOfPicture, expected, 0, 0);
             bool isWhite = ScreenBoard.IsWhite(index % _board.Columns, index / _board.Columns);
             double sign = isWhite ? _sign : -_sign;
             Vector2D corner = expected;
-            bool isFound = CornerRefiner.TryRefine(_plane, window, ref corner, out double sigma) && (corner - expected).Length <= LargestMiss * cell;
+            bool isFound = CornerRefiner.TryRefine(_signal.Full, window, ref corner) && (corner - expected).Length <= LargestMiss * cell;
             double contrast = sign * Contrast(isFound ? corner : expected, along, across, out double least);
             if (contrast < LeastContrast || least * sign < 0)
-                return new ScreenPoint(place, ScreenPointState.Covered, expected, 0, contrast, 0);
+                return new ScreenPoint(place, ScreenPointState.Covered, expected, contrast, 0);
             return isFound
-                ? new ScreenPoint(place, ScreenPointState.Measured, corner, sigma, contrast, Blur(corner, along, across, contrast))
-                : new ScreenPoint(place, ScreenPointState.Unclear, expected, 0, contrast, 0);
+                ? new ScreenPoint(place, ScreenPointState.Measured, corner, contrast, Blur(corner, along, across, contrast))
+                : new ScreenPoint(place, ScreenPointState.Unclear, expected, contrast, 0);
         }
 
         /// <summary>What the nearest known points lie beside the plane's fit: lenses bend, walls are uneven.</summary>
@@ -144,7 +143,7 @@ namespace LaserTracking.Patterns
             for (int i = 0; i < 4; i++)
             {
                 Vector2D p = corner + along * (i % 2 == 0 ? Aside : -Aside) + across * (i / 2 == 0 ? Aside : -Aside);
-                cells[i] = _plane.At(p.X, p.Y);
+                cells[i] = _signal.At(p);
                 mean += cells[i] / 4;
             }
 
@@ -164,7 +163,7 @@ namespace LaserTracking.Patterns
             {
                 Vector2D way = i < 2 ? along : across, side = i < 2 ? across : along, p = corner + way * (i % 2 == 0 ? Aside : -Aside), step = side * (1 / side.Length);
                 Vector2D a = p - step, b = p + step;
-                slope += Math.Abs(_plane.At(b.X, b.Y) - _plane.At(a.X, a.Y)) / 8;
+                slope += Math.Abs(_signal.At(b) - _signal.At(a)) / 8;
             }
 
             double sigma = 2 * contrast / (Math.Sqrt(2 * Math.PI) * Math.Max(1e-9, slope));
