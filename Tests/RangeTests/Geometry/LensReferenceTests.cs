@@ -19,8 +19,7 @@ namespace LaserTracking.Geometry
             foreach (JToken test in JObject.Parse(File.ReadAllText(TestFiles.Reference("camera_models", "camera_models.json")))["cases"]!)
             {
                 double[] d = test["dist"]!.Select(v => (double)v).ToArray(), k = test["K"]!.SelectMany(row => row).Select(v => (double)v).ToArray();
-                double[] radial = d.Length > 5 ? new[] { d[0], d[1], d[4], d[5], d[6], d[7] } : new[] { d[0], d[1], d[4] };
-                var camera = new LensCamera(new PinholeCamera(k[0], k[4], k[2], k[5], (int)test["image_size"]![0]!, (int)test["image_size"]![1]!), new BrownDistortion(radial, d[2], d[3]));
+                var camera = new LensCamera(new PinholeCamera(k[0], k[4], k[2], k[5], (int)test["image_size"]![0]!, (int)test["image_size"]![1]!), BrownDistortion.FromOpenCv(d));
                 for (int i = 0; i < test["normalised"]!.Count(); i++, points++)
                 {
                     Vector2D ray = Point(test["normalised"]![i]!), pixel = Point(test["projected_px"]![i]!);

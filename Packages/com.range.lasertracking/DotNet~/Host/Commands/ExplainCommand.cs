@@ -40,7 +40,7 @@ namespace LaserTracking.Host.Commands
                 ResultFile.CheckNotRead(picture, name, parsed.GetValue(calibration));
                 IShotDetector chosen = RangeSession.CreateDetector(parsed.GetValue(detector)!);
                 if (parsed.GetValue(calibration) is { } file)
-                    chosen.SetScreenPolygon(RangeCalibrationFile.Read(file).Screen.CornersPx);
+                    chosen.SetScreenPolygon(RangeCalibrationFile.Read(file).Screen.OutlinePx);
                 return Task.FromResult(Run(name, index, place == null ? null : ScreenPoints.Pair(place, ',', "--at"), chosen, picture, interrupted));
             });
             return command;

@@ -50,8 +50,7 @@ namespace LaserTracking.Capture.AzureKinect
                 if (width == 0 || colorWidth <= 0 || colorHeight <= 0)
                     throw new FormatException("there are no infrared or no colour pictures");
                 Pose fromDepth = Rig(depth), fromColor = Rig(color);
-                var back = new Pose(fromDepth.InverseTransformPoint(default), fromDepth.Rotation.Inverse);
-                calibration = new KinectCalibration(InfraredCamera(depth, depthMode, width, height), ColorCamera(color, colorWidth, colorHeight), fromColor * back);
+                calibration = new KinectCalibration(InfraredCamera(depth, depthMode, width, height), ColorCamera(color, colorWidth, colorHeight), fromColor * fromDepth.Inverse);
                 reason = string.Empty;
                 return true;
             }
