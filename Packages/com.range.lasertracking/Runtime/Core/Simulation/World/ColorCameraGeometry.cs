@@ -23,10 +23,10 @@ namespace LaserTracking.Simulation
             Vector3D o = pose.InverseTransformPoint(default);
             ScreenToImage = PlaneMap.Scale(focal, focal, cx, cy) *
                             new PlaneMap(x.X, y.X, o.X, x.Y, y.Y, o.Y, x.Z, y.Z, o.Z);
-            Screen = new ScreenGeometry(new Homography(ScreenToImage.Inverse.ToArray()), screenSizeM);
             PositionM = position;
             if (settings.LensK1 != 0 || settings.LensK2 != 0)
                 Lens = new LensCamera(new PinholeCamera(focal, focal, cx, cy, settings.Width, settings.Height), new BrownDistortion(new[] { settings.LensK1, settings.LensK2, 0 }, 0, 0));
+            Screen = new ScreenGeometry(new Homography(ScreenToImage.Inverse.ToArray()), screenSizeM, Lens);
         }
 
         /// <summary>Screen m to image px, as if there were no distortion.</summary>
@@ -38,17 +38,6 @@ namespace LaserTracking.Simulation
         public ScreenGeometry Screen { get; }
 
         public Vector3D PositionM { get; }
-
-        /// <summary>Where the camera sees a point of the screen, px.</summary>
-        public Vector2D ToImagePx(Vector2D screenM)
-        {
-            Vector2D ideal = ScreenToImage.Map(screenM);
-            if (Lens == null)
-                return ideal;
-            PinholeCamera pinhole = Lens.Pinhole;
-            Lens.TryProject(new Vector2D((ideal.X - pinhole.CenterXPx) / pinhole.FocalXPx, (ideal.Y - pinhole.CenterYPx) / pinhole.FocalYPx), out Vector2D px);
-            return px;
-        }
 
         private static double FittingFocal(Pose pose, Vector2D size, double halfWidth, double halfHeight)
         {
