@@ -9,7 +9,12 @@ namespace LaserTracking.Patterns
             Points = points;
             IsMirrored = isMirrored;
             foreach (ScreenPoint point in points)
-                Worth += point.State == ScreenPointState.Measured ? point.Contrast : 0;
+            {
+                if (point.State != ScreenPointState.Measured)
+                    continue;
+                Measured++;
+                Worth += point.Contrast;
+            }
         }
 
         public ScreenBoard Board { get; }
@@ -17,6 +22,9 @@ namespace LaserTracking.Patterns
         public ScreenPoint[] Points { get; }
 
         public bool IsMirrored { get; }
+
+        /// <summary>Points of it that were measured.</summary>
+        public int Measured { get; }
 
         /// <summary>Of two sightings of a board the one with more is to be preferred: measured points, each times its contrast.</summary>
         public double Worth { get; }

@@ -6,16 +6,16 @@ namespace LaserTracking.Patterns
     /// <summary>Whether a frame shows another picture than the one before: much of it has changed, not only where somebody moves.</summary>
     internal sealed unsafe class PictureChange
     {
-        private const int Across = 64, Down = 36, Side = 4;
+        private const int Across = 64, Down = 36, Side = 8;
 
         /// <summary>Levels by which a patch's mean must change, and the share of patches that must.</summary>
-        private const int PatchChange = 8;
+        private const int PatchChange = 10;
         private const double ChangedShare = 0.04;
 
         private int[] _now = new int[Across * Down];
         private int[] _before = new int[Across * Down];
 
-        /// <summary>Takes the next frame, at least 4 pixels either way.</summary>
+        /// <summary>Takes the next frame, at least 8 pixels either way.</summary>
         public bool Update(Image image)
         {
             (_now, _before) = (_before, _now);

@@ -16,6 +16,9 @@ namespace LaserTracking.Patterns
         /// <summary>By how much the best place must be better than any other.</summary>
         private const double LeastLead = 1;
 
+        /// <summary>Cells by which a lattice may reach beyond the board: edges of the picture and what lies next to it.</summary>
+        private const int Beyond = 2;
+
         private readonly ScreenBoard[] _boards;
         private readonly List<Cell> _cells = new List<Cell>();
         private readonly List<(int I, int J, Vector2D Px)> _corners = new List<(int, int, Vector2D)>();
@@ -47,9 +50,9 @@ namespace LaserTracking.Patterns
                 Bounds(way, out int left, out int top, out int right, out int bottom);
                 foreach (ScreenBoard board in _boards)
                 {
-                    for (int j = -top; j + bottom <= board.Rows - 2; j++)
+                    for (int j = -top - Beyond; j + bottom <= board.Rows - 2 + Beyond; j++)
                     {
-                        for (int i = -left; i + right <= board.Columns - 2; i++)
+                        for (int i = -left - Beyond; i + right <= board.Columns - 2 + Beyond; i++)
                         {
                             double score = Judge(board, way, i, j, out int alternation);
                             if (score <= second)
@@ -123,6 +126,8 @@ namespace LaserTracking.Patterns
             {
                 Turn(way, 2 * cell.I, 2 * cell.J, out int x, out int y);
                 int column = x / 2 + offsetI, row = y / 2 + offsetJ;
+                if (column < 0 || row < 0 || column >= board.Columns - 1 || row >= board.Rows - 1)
+                    continue;
                 agreements += board.HasDot(column, row) == cell.HasDot ? 1 : -1;
                 alternation += ScreenBoard.IsWhite(column, row) == cell.IsBright ? 1 : -1;
             }

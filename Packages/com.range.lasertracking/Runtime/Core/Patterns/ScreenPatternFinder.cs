@@ -18,6 +18,8 @@ namespace LaserTracking.Patterns
         /// <summary>From so many frames of one picture on, single frames are mixtures of two pictures.</summary>
         private const int LongPicture = 3;
 
+        private const double WellSeenShare = 0.8;
+
         /// <summary>Pictures so far apart are compared, first the neighbours.</summary>
         private const int FurthestApart = 3;
 
@@ -70,7 +72,7 @@ namespace LaserTracking.Patterns
             var shown = new List<HeldPicture>(_pictures);
             if (shown.Exists(picture => picture.Frames >= LongPicture))
                 shown.RemoveAll(picture => picture.Frames == 1);
-            for (int apart = 1; apart <= FurthestApart && !AreBothFound; apart++)
+            for (int apart = 1; apart <= FurthestApart && !(IsWellSeen(0) && IsWellSeen(1)); apart++)
             {
                 for (int i = 0; i + apart < shown.Count; i++)
                 {
@@ -79,7 +81,7 @@ namespace LaserTracking.Patterns
                 }
             }
 
-            for (int i = 0; i < shown.Count && !AreBothFound; i++)
+            for (int i = 0; i < shown.Count && (_best[0] == null || _best[1] == null); i++)
             {
                 _signal.SetToFlattened(shown[i]);
                 Search();
@@ -90,7 +92,8 @@ namespace LaserTracking.Patterns
 
         public void Dispose() => _signal.Dispose();
 
-        private bool AreBothFound => _best[0] != null && _best[1] != null;
+        /// <summary>Most of a board is there: no other pair of pictures will show more.</summary>
+        private bool IsWellSeen(int board) => _best[board] is BoardSighting sighting && sighting.Measured > WellSeenShare * sighting.Points.Length;
 
         private void Begin(Image image)
         {

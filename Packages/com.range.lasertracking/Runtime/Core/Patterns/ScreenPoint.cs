@@ -5,12 +5,13 @@ namespace LaserTracking.Patterns
     /// <summary>One corner of a projected board, as a camera sees it.</summary>
     public readonly struct ScreenPoint
     {
-        public ScreenPoint(Vector2D place, ScreenPointState state, Vector2D imagePx, double contrast, double blurPx)
+        public ScreenPoint(Vector2D place, ScreenPointState state, Vector2D imagePx, double contrast, double symmetry, double blurPx)
         {
             Place = place;
             State = state;
             ImagePx = imagePx;
             Contrast = contrast;
+            Symmetry = symmetry;
             BlurPx = blurPx;
         }
 
@@ -24,6 +25,9 @@ namespace LaserTracking.Patterns
 
         /// <summary>Half of the difference between white and black there, levels.</summary>
         public double Contrast { get; }
+
+        /// <summary>Share of the light around it that half a turn leaves as it is: 1 but for noise, unless something is in the way.</summary>
+        public double Symmetry { get; }
 
         /// <summary>Standard deviation of the edges' blur, px; 0 unless measured.</summary>
         public double BlurPx { get; }

@@ -15,6 +15,13 @@ namespace LaserTracking.Patterns
         /// <summary>Shares of a cell: how far a point may lie from where it is expected, and where its four cells' colours are read.</summary>
         private const double LargestMiss = 0.2, Aside = 0.22;
 
+        /// <summary>Rings around a corner, shares of a cell, and places looked at on both together.</summary>
+        private const double InnerRing = 0.13, OuterRing = 0.26;
+        private const int RingSteps = 24;
+
+        /// <summary>Below it something is half in the way: such corners lie off by pixels.</summary>
+        private const double LeastSymmetry = 0.985;
+
         /// <summary>Levels of contrast below which there is nothing to measure.</summary>
         private const double LeastContrast = 1.5;
 
@@ -56,7 +63,7 @@ namespace LaserTracking.Patterns
                 {
                     _isKnown[i] = false;
                     if (_points[i].State == ScreenPointState.Measured && _points[i].Contrast < LeastRelativeContrast * Around(i))
-                        _points[i] = new ScreenPoint(_points[i].Place, ScreenPointState.Covered, _points[i].ImagePx, _points[i].Contrast, 0);
+                        _points[i] = new ScreenPoint(_points[i].Place, ScreenPointState.Covered, _points[i].ImagePx, _points[i].Contrast, _points[i].Symmetry, 0);
                 }
 
                 for (int i = 0; i < _points.Length; i++)
@@ -103,17 +110,18 @@ namespace LaserTracking.Patterns
             int window = CornerRefiner.HalfWindow(cell);
             double room = Math.Max(window + 3, 0.3 * cell);
             if (!(expected.X >= room && expected.Y >= room && expected.X < _signal.Full.Width - room && expected.Y < _signal.Full.Height - room))
-                return new ScreenPoint(place, ScreenPointState.OutOfPicture, expected, 0, 0);
+                return new ScreenPoint(place, ScreenPointState.OutOfPicture, expected, 0, 0, 0);
             bool isWhite = ScreenBoard.IsWhite(index % _board.Columns, index / _board.Columns);
             double sign = isWhite ? _sign : -_sign;
             Vector2D corner = expected;
             bool isFound = CornerRefiner.TryRefine(_signal.Full, window, ref corner) && (corner - expected).Length <= LargestMiss * cell;
             double contrast = sign * Contrast(isFound ? corner : expected, along, across, out double least);
             if (contrast < LeastContrast || least * sign < 0)
-                return new ScreenPoint(place, ScreenPointState.Covered, expected, contrast, 0);
-            return isFound
-                ? new ScreenPoint(place, ScreenPointState.Measured, corner, contrast, Blur(corner, along, across, contrast))
-                : new ScreenPoint(place, ScreenPointState.Unclear, expected, contrast, 0);
+                return new ScreenPoint(place, ScreenPointState.Covered, expected, contrast, 0, 0);
+            double symmetry = isFound ? Symmetry(corner, along, across) : 0;
+            return symmetry >= LeastSymmetry
+                ? new ScreenPoint(place, ScreenPointState.Measured, corner, contrast, symmetry, Blur(corner, along, across, contrast))
+                : new ScreenPoint(place, ScreenPointState.Unclear, expected, contrast, symmetry, 0);
         }
 
         /// <summary>What the nearest known points lie beside the plane's fit: lenses bend, walls are uneven.</summary>
@@ -153,6 +161,26 @@ namespace LaserTracking.Patterns
                 weakest = Math.Min(weakest, (i == 0 || i == 3 ? 1 : -1) * (cells[i] - mean) * Math.Sign(sum));
             least = weakest * Math.Sign(sum);
             return sum;
+        }
+
+        /// <summary>On two rings around a corner: what is the same on opposite sides, through all that is not the mean.</summary>
+        private double Symmetry(Vector2D corner, Vector2D along, Vector2D across)
+        {
+            double even = 0, odd = 0, mean = 0;
+            Span<double> sums = stackalloc double[RingSteps];
+            for (int i = 0; i < RingSteps; i++)
+            {
+                double angle = 2 * Math.PI * i / RingSteps, radius = i % 2 == 0 ? OuterRing : InnerRing;
+                Vector2D arm = along * (radius * Math.Cos(angle)) + across * (radius * Math.Sin(angle));
+                double here = _signal.At(corner + arm), there = _signal.At(corner - arm);
+                sums[i] = here + there;
+                odd += (here - there) * (here - there);
+                mean += sums[i] / RingSteps;
+            }
+
+            foreach (double sum in sums)
+                even += (sum - mean) * (sum - mean);
+            return even / (even + odd);
         }
 
         /// <summary>Steepness of the four edges near the corner against their height, as the standard deviation of a Gaussian blur.</summary>
