@@ -24,6 +24,7 @@ namespace LaserTracking.Host.Studies
             new StaticStudy(),
             new FrameRateStudy(),
             new Calibration.ScreenCalibrationStudy(),
+            new Calibration.BoardStudy(),
         };
     }
 }

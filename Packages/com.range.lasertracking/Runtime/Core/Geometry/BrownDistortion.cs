@@ -86,9 +86,12 @@ namespace LaserTracking.Geometry
         }
 
         /// <summary>The ray that the lens put here; false where there is none or the search does not settle.</summary>
-        public bool TryUndistort(Vector2D distorted, out Vector2D ray)
+        public bool TryUndistort(Vector2D distorted, out Vector2D ray) => TryUndistort(distorted, distorted, out ray);
+
+        /// <summary>The same from a known place near the result: fewer steps.</summary>
+        internal bool TryUndistort(Vector2D distorted, Vector2D start, out Vector2D ray)
         {
-            ray = distorted;
+            ray = start;
             Vector2D error = Distort(ray, out double xx, out double xy, out double yx, out double yy) - distorted;
             for (int step = 0; step < MaxSteps && error.LengthSquared > Converged; step++)
             {

@@ -55,24 +55,9 @@ namespace LaserTracking.Geometry
         /// <exception cref="ArgumentException">The screen's corners lie outside what the colour camera's lens model covers.</exception>
         public static InfraredMapping OnScreen(LensCamera infrared, LensCamera color, Pose infraredToColorMm, ScreenGeometry screen)
         {
-            Vector2D size = screen.ScreenSizeM * 1000;
-            Vector2D[] corners = { new Vector2D(0, 0), new Vector2D(size.X, 0), size, new Vector2D(0, size.Y) };
-            Vector2D[] rays = screen.CornersPx;
-            for (int i = 0; i < rays.Length; i++)
-            {
-                if (!color.TryUnproject(rays[i], out rays[i]))
-                    throw new ArgumentException("corner " + i + " of the screen lies outside what the colour camera's lens model covers", nameof(screen));
-            }
-
-            if (!HomographyEstimator.TryFit(corners, rays, out Homography screenToRay, out string reason))
-                throw new ArgumentException(reason, nameof(screen));
-
-            // The columns are the screen's axes and its origin in camera space, up to scale (Zhang 2000).
-            double[] h = screenToRay.ToArray();
-            Vector3D x = new Vector3D(h[0], h[3], h[6]), y = new Vector3D(h[1], h[4], h[7]), origin = new Vector3D(h[2], h[5], h[8]);
-            double scale = 2 / (x.Length + y.Length);
-            Vector3D normal = Vector3D.Cross(x, y).Normalized;
-            return OnPlane(infrared, color, infraredToColorMm, normal, Vector3D.Dot(normal, origin) * scale);
+            return ScreenPlane.TryFromSize(screen, color, out ScreenPlane? plane, out string reason)
+                ? OnPlane(infrared, color, infraredToColorMm, plane!.Plane.Normal, plane.Plane.Distance)
+                : throw new ArgumentException(reason, nameof(screen));
         }
 
         /// <summary>False where a lens model does not reach or the plane is not seen.</summary>

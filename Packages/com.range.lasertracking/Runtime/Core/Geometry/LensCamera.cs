@@ -18,8 +18,10 @@ namespace LaserTracking.Geometry
         public BrownDistortion Distortion { get; }
 
         /// <summary>The ray seen at a pixel; false outside what the lens model covers.</summary>
-        public bool TryUnproject(Vector2D pixel, out Vector2D ray) => Distortion.TryUndistort(
-            new Vector2D((pixel.X - Pinhole.CenterXPx) / Pinhole.FocalXPx, (pixel.Y - Pinhole.CenterYPx) / Pinhole.FocalYPx), out ray);
+        public bool TryUnproject(Vector2D pixel, out Vector2D ray) => Distortion.TryUndistort(ToPlane(pixel), out ray);
+
+        /// <summary>The same from a ray near the result: fewer steps.</summary>
+        internal bool TryUnproject(Vector2D pixel, Vector2D start, out Vector2D ray) => Distortion.TryUndistort(ToPlane(pixel), start, out ray);
 
         /// <summary>Where a ray is seen, also beside the picture; false outside what the lens model covers.</summary>
         public bool TryProject(Vector2D ray, out Vector2D pixel)
@@ -45,11 +47,10 @@ namespace LaserTracking.Geometry
         }
 
         /// <summary>The inverse of <see cref="TryUndistort"/>; false outside what the lens model covers.</summary>
-        public bool TryDistort(Vector2D ideal, out Vector2D pixel) =>
-            TryProject(new Vector2D((ideal.X - Pinhole.CenterXPx) / Pinhole.FocalXPx, (ideal.Y - Pinhole.CenterYPx) / Pinhole.FocalYPx), out pixel);
+        public bool TryDistort(Vector2D ideal, out Vector2D pixel) => TryProject(ToPlane(ideal), out pixel);
 
         /// <summary>How pixels move with those of the camera without distortion, at a pixel.</summary>
-        /// <param name="pixel">One that <see cref="TryUnproject"/> finds a ray for.</param>
+        /// <param name="pixel">One that has a ray.</param>
         /// <param name="pixelByIdeal">2×2, row by row.</param>
         public void DistortionJacobian(Vector2D pixel, Span<double> pixelByIdeal)
         {
@@ -95,6 +96,9 @@ namespace LaserTracking.Geometry
 
             return true;
         }
+
+        private Vector2D ToPlane(Vector2D pixel) =>
+            new Vector2D((pixel.X - Pinhole.CenterXPx) / Pinhole.FocalXPx, (pixel.Y - Pinhole.CenterYPx) / Pinhole.FocalYPx);
 
         private Vector2D ToPixel(Vector2D distorted) =>
             new Vector2D(Pinhole.FocalXPx * distorted.X + Pinhole.CenterXPx, Pinhole.FocalYPx * distorted.Y + Pinhole.CenterYPx);

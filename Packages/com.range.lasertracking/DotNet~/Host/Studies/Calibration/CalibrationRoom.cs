@@ -92,7 +92,7 @@ namespace LaserTracking.Host.Studies.Calibration
             }
 
             IsBlurred = Chance(0.1);
-            camera.BlurPx = camera.Width / 1280.0 * (IsBlurred ? Uniform(3, 5) : Uniform(0.4, 2));
+            camera.BlurPx = Math.Min(6, camera.Width / 1280.0 * (IsBlurred ? Uniform(3, 5) : Uniform(0.4, 2)));
             camera.FullWellElectrons = Uniform(2500, 15000);
             camera.ReadNoiseElectrons = Uniform(2, 15);
             camera.Gain = Uniform(0.5, 1.4);

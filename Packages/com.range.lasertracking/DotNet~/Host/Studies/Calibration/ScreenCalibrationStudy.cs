@@ -38,9 +38,6 @@ namespace LaserTracking.Host.Studies.Calibration
             table.Notes.Add("A refusal is right when the fit was truly over the limit somewhere, when the camera was bumped, or when there was no fit.");
             foreach (Result wrong in results.Where(r => r.IsAccepted != r.ShouldBeAccepted))
                 table.Notes.Add(FormattableString.Invariant($"room {wrong.Seed}: {(wrong.IsAccepted ? "accepted" : "refused")}, true error {wrong.TrueMax:F2} mm{(wrong.IsAccepted ? string.Empty : ": " + string.Join("; ", wrong.Calibration.Refusals))}"));
-            foreach (var bin in results.SelectMany(r => r.HeldOut).GroupBy(p => (int)Math.Floor(-Math.Log2(1 - p.Point.Symmetry))).OrderBy(g => g.Key)) { var e = PointErrors.Of(bin.Select(p => p.OffPx.Length).ToArray()); table.Notes.Add($"DEBUG {bin.Key}: n {e.Count} {e.Median:F3} {e.P95:F3} {e.Max:F3}"); }
-            foreach (var r in results) table.Notes.Add($"DEBUG room {r.Seed} {r.IsAccepted} pics {r.Calibration.View.Pictures} frames {r.Calibration.View.Frames} A {r.Calibration.View.First.Length} {r.Calibration.Points.Count(p => !p.IsHeldOut)} {r.Calibration.Points.Count(p => p.IsLeftOut)} B {r.HeldOut.Count()} c {(r.HeldOut.Any() ? r.HeldOut.Average(p => p.Point.Contrast) : 0):F1} true {r.TrueMax:F2} {r.Room.Range.Scenario.ColorCamera.Width} bump {r.Room.IsBumped}");
-            foreach (var r in results.Where(r => !r.IsAccepted)) foreach (var p in r.HeldOut.Where(p => p.OffPx.Length > 0.5)) table.Notes.Add($"DEBUG room {r.Seed} {p.Point.Symmetry:F4} c {p.Point.Contrast:F1} off {p.OffPx.Length:F2} place {p.Point.Place}");
             return table;
         }
 

@@ -46,6 +46,9 @@ namespace LaserTracking.Simulation
         /// <summary>What moves behind the targets in place of the bay; null: nothing.</summary>
         public IPictureContent? MovingContent { get; }
 
+        /// <summary>Objects drawn over it, far to near; the calibration's pictures have none.</summary>
+        public ReadOnlySpan<int> Targets => MovingContent is PatternContent ? default : View.FarToNear;
+
         public PixelRect Bounds => new PixelRect(0, 0, Width, Height);
 
         public TargetSprite Sprite(int objectIndex) => _sprites[objectIndex];
