@@ -168,6 +168,10 @@ def main():
         listed = json.load(file)
     bgra, nv12, infrared, color = (read(folder, listed[name]) for name in ("bgra", "nv12", "dual_infrared", "dual_bgra"))
     pairs = list(zip(infrared, color))
+    pixels = read(folder, listed["lens"])
+    fx, fy, cx, cy = listed["lens"]["K"]
+    matrix, dist = np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]]), np.array(listed["lens"]["dist"])
+    converged = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 100, 1e-9)
     as_it_is = lambda frame: frame
     from_bgra = lambda frame: cv2.cvtColor(frame, cv2.COLOR_BGRA2BGR)
     from_nv12 = lambda frame: cv2.cvtColor(frame, cv2.COLOR_YUV2BGR_NV12)
@@ -178,6 +182,8 @@ def main():
         ("paper-720p-nv12", "8-bit", PaperTuned(from_nv12), nv12, ["detect-720p-nv12"]),
         ("dual-1080p", "naive", lambda pair: dual_naive(*pair), pairs, ["dual-1080p", "dual-infrared-1080p"]),
         ("dual-1080p", "region", lambda pair: dual_region(*pair), pairs, ["dual-1080p", "dual-infrared-1080p"]),
+        ("undistortPoints", "5 iterations", lambda points: cv2.undistortPoints(points, matrix, dist), pixels, ["lens-lookup", "lens-exact"]),
+        ("undistortPoints", "converged", lambda points: cv2.undistortPointsIter(points, matrix, dist, None, None, converged), pixels, ["lens-lookup", "lens-exact"]),
     ]
     results = [dict(name=name, variant=variant, compare=compare, **measure(operation, frames)) for name, variant, operation, frames, compare in cases]
     print(json.dumps({"opencv": cv2.__version__, "threads": 1, "results": results}))

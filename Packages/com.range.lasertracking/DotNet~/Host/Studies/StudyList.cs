@@ -23,6 +23,7 @@ namespace LaserTracking.Host.Studies
             new ColorStudy(),
             new StaticStudy(),
             new FrameRateStudy(),
+            new Calibration.ScreenCalibrationStudy(),
             new Calibration.BoardStudy(),
         };
     }
