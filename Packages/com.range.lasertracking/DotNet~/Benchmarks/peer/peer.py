@@ -158,6 +158,18 @@ def read(folder, entry):
     return list(data.reshape(entry["shape"]))
 
 
+def calibrate_stereo(corners):
+    """Each camera alone, then how they stand to each other with the cameras held."""
+    points = np.array([[x, y, 0] for x, y in corners["object_points_mm"]], np.float32)
+    size, end = tuple(corners["image_size"]), (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 200, 1e-9)
+    board = [points] * len(corners["pairs"])
+    left, right = ([np.array(pair[side], np.float32).reshape(-1, 1, 2) for pair in corners["pairs"]] for side in ("left_px", "right_px"))
+    _, left_matrix, left_dist, _, _ = cv2.calibrateCamera(board, left, size, None, None, criteria=end)
+    _, right_matrix, right_dist, _, _ = cv2.calibrateCamera(board, right, size, None, None, criteria=end)
+    cv2.stereoCalibrate(board, left, right, left_matrix, left_dist, right_matrix, right_dist, size, flags=cv2.CALIB_FIX_INTRINSIC, criteria=end)
+    return []
+
+
 def main():
     if len(sys.argv) != 2:
         print(__doc__, file=sys.stderr)
@@ -172,6 +184,8 @@ def main():
     fx, fy, cx, cy = listed["lens"]["K"]
     matrix, dist = np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]]), np.array(listed["lens"]["dist"])
     converged = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 100, 1e-9)
+    with open(os.path.join(folder, "board.json")) as file:
+        corners = [json.load(file)]
     as_it_is = lambda frame: frame
     from_bgra = lambda frame: cv2.cvtColor(frame, cv2.COLOR_BGRA2BGR)
     from_nv12 = lambda frame: cv2.cvtColor(frame, cv2.COLOR_YUV2BGR_NV12)
@@ -184,6 +198,7 @@ def main():
         ("dual-1080p", "region", lambda pair: dual_region(*pair), pairs, ["dual-1080p", "dual-infrared-1080p"]),
         ("undistortPoints", "5 iterations", lambda points: cv2.undistortPoints(points, matrix, dist), pixels, ["lens-lookup", "lens-exact"]),
         ("undistortPoints", "converged", lambda points: cv2.undistortPointsIter(points, matrix, dist, None, None, converged), pixels, ["lens-lookup", "lens-exact"]),
+        ("calibrate-stereo", "calibrateCamera twice, stereoCalibrate", calibrate_stereo, corners, ["calibrate-stereo"]),
     ]
     results = [dict(name=name, variant=variant, compare=compare, **measure(operation, frames)) for name, variant, operation, frames, compare in cases]
     print(json.dumps({"opencv": cv2.__version__, "threads": 1, "results": results}))

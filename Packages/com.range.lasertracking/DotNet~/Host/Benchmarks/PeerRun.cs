@@ -76,6 +76,7 @@ namespace LaserTracking.Host.Benchmarks
             PinholeCamera lens = LensBenchmark.Camera.Pinhole;
             File.WriteAllBytes(Path.Combine(folder, "lens.raw"), MemoryMarshal.AsBytes(LensBenchmark.RandomPixels().AsSpan()).ToArray());
             list["lens"] = new JObject { ["file"] = "lens.raw", ["type"] = "<f8", ["shape"] = new JArray(1, LensBenchmark.Pixels, 2), ["K"] = new JArray(lens.FocalXPx, lens.FocalYPx, lens.CenterXPx, lens.CenterYPx), ["dist"] = new JArray(LensBenchmark.Dist) };
+            File.WriteAllText(Path.Combine(folder, "board.json"), StereoBenchmark.Corners());
             File.WriteAllText(Path.Combine(folder, "frames.json"), list.ToString(Formatting.None));
 
             void Write(FrameLoop frames, Func<Frame, Image> picture, string name, string type, int[] shape)
