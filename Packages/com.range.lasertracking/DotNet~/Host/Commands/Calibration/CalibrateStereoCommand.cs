@@ -30,6 +30,7 @@ namespace LaserTracking.Host.Commands
                 output.Check(parsed, corners);
                 LensModel model = options.Model(parsed);
                 Board? board = options.Board(parsed);
+                IReadOnlyList<string> notes = Array.Empty<string>();
                 (SeenBoards Left, SeenBoards Right) seen;
                 if (corners != null)
                 {
@@ -38,8 +39,7 @@ namespace LaserTracking.Host.Commands
                         throw new InputException(corners, "holds views of one camera", "give a file with \"pairs\", or use './range calibrate board'");
                     seen = (stored.Read("left", options.ImageSize(parsed)), stored.Read("right", options.ImageSize(parsed)));
                     board = stored.Board;
-                    foreach (string note in stored.Notes)
-                        Console.Error.WriteLine("range: " + note);
+                    notes = stored.Notes;
                 }
                 else
                 {
@@ -51,7 +51,7 @@ namespace LaserTracking.Host.Commands
                 double? heldOut = HeldOutError.OfPairs(session.Both.Pairs, session.Left.Camera, session.Right.Camera, model);
                 if (options.Pictures(parsed) is string folder)
                     BoardPictures.Write(folder, session.Both, seen.Left, seen.Right, board?.Size);
-                return output.Write(parsed, CalibrationReport.OfStereo(session.Left, session.Right, session.Both, session.Missing, options.ModelName(parsed), board, heldOut));
+                return output.Write(parsed, CalibrationReport.OfStereo(session.Left, session.Right, session.Both, session.Missing, options.ModelName(parsed), board, heldOut, notes));
             });
             return command;
         }
