@@ -56,6 +56,21 @@ namespace LaserTracking.Commands
             CommandLine.AssertRefused("view9.pgm: is 320×240, view0.pgm is 640×480", "calibrate", "board", "--images", pattern, "--board", "7x5", "--out", result);
         }
 
+        [Test]
+        public void Board_OneBlurredPictureAmongSeveral_IsNamedAndLeftOut()
+        {
+            using var folder = new TemporaryFolder();
+            for (int i = 0; i < 6; i++)
+                Paint(folder.File($"view{i}.pgm"), 320, 240, i, i == 4 ? 7 : 1);
+            string result = folder.File("camera.json");
+            string[] line = ["calibrate", "board", "--images", folder.Path, "--board", "7x5", "--square", "30", "--model", "radial2", "--out", result, "--replace"];
+            (int exitCode, _, string error) = CommandLine.Run(line);
+            Assert.That(exitCode, Is.EqualTo(ExitCodes.Done), error);
+            Assert.That(error, Does.Match("^range: view4.pgm: left out: blurred: its edges are [0-9.]+ px wide[^\n]*\n$"));
+            Assert.That(JObject.Parse(File.ReadAllText(result))["per_view_rms_px"]!, Has.Count.EqualTo(5));
+            Assert.That(CommandLine.Run([.. line, "--keep-all"]).Error, Is.Empty);
+        }
+
         [TestCase("{", "not JSON")]
         [TestCase("{\"v\":2,\"images\":[]}", "newer release (version 2")]
         [TestCase("{\"images\":[]}", "neither images nor pairs")]
@@ -134,8 +149,8 @@ namespace LaserTracking.Commands
             return corners;
         }
 
-        /// <summary>A board of 8×6 squares seen by a camera without lens, each pixel the mean of 16 samples.</summary>
-        private static void Paint(string path, int width, int height, int number)
+        /// <summary>A board of 8×6 squares seen by a camera without lens, each pixel the mean of 16 samples over a square of some pixels.</summary>
+        private static void Paint(string path, int width, int height, int number, double blurPx = 1)
         {
             double focal = 0.9 * width;
             Rotation3D turn = Rotation3D.AboutAxis(new Vector3D(Math.Cos(1.6 * number), Math.Sin(1.6 * number), 0), 0.45);
@@ -152,7 +167,7 @@ namespace LaserTracking.Commands
                 double sum = 0;
                 for (int k = 0; k < 16; k++)
                 {
-                    Vector2D p = toBoard.Map(new Vector2D(column - 0.375 + k % 4 * 0.25, row - 0.375 + k / 4 * 0.25));
+                    Vector2D p = toBoard.Map(new Vector2D(column + (k % 4 - 1.5) / 4 * blurPx, row + (k / 4 - 1.5) / 4 * blurPx));
                     bool isInside = p.X >= 0 && p.Y >= 0 && p.X < 240 && p.Y < 180;
                     sum += isInside && ((int)(p.X / 30) + (int)(p.Y / 30)) % 2 == 0 ? 40 : 210;
                 }

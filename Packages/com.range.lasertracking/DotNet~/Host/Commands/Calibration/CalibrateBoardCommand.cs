@@ -42,7 +42,7 @@ namespace LaserTracking.Host.Commands
                 }
                 else
                 {
-                    seen = BoardSearch.Run(PictureFile.Expand(patterns, "--images"), board.Value);
+                    seen = BoardSearch.Run(PictureFile.Expand(patterns, "--images"), board.Value, options.KeepsAll(parsed));
                 }
 
                 BoardView[] views = seen.Views.OfType<BoardView>().ToArray();

@@ -43,7 +43,7 @@ namespace LaserTracking.Host.Commands
                 }
                 else
                 {
-                    seen = Search(PictureFile.Expand(leftPatterns, "--left"), PictureFile.Expand(rightPatterns, "--right"), board.Value);
+                    seen = Search(PictureFile.Expand(leftPatterns, "--left"), PictureFile.Expand(rightPatterns, "--right"), board.Value, options.KeepsAll(parsed));
                 }
 
                 string source = corners ?? leftPatterns[0];
@@ -56,11 +56,11 @@ namespace LaserTracking.Host.Commands
             return command;
         }
 
-        private static (SeenBoards Left, SeenBoards Right) Search(List<string> left, List<string> right, Board board)
+        private static (SeenBoards Left, SeenBoards Right) Search(List<string> left, List<string> right, Board board, bool keepsAll)
         {
             if (left.Count != right.Count)
                 throw new InputException("calibrate stereo", $"{left.Count} pictures of the left camera, {right.Count} of the right", "each picture needs its partner, in the same order");
-            return (BoardSearch.Run(left, board), BoardSearch.Run(right, board));
+            return (BoardSearch.Run(left, board, keepsAll), BoardSearch.Run(right, board, keepsAll));
         }
     }
 }
