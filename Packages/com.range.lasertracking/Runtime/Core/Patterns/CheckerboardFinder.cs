@@ -112,37 +112,30 @@ namespace LaserTracking.Patterns
             for (int row = 0, k = 0; row < size.Rows; row++)
             for (int column = 0; column < size.Columns; column++, k++)
             {
-                window.TryGet(_lattice, column, row, out Vector2D p);
-                cornersPx[k] = new Vector2D((p.X + 0.5) * scale - 0.5, (p.Y + 0.5) * scale - 0.5);
-            }
-
-            Span<Vector2D> refined = stackalloc Vector2D[size.Count];
-            for (int row = 0, k = 0; row < size.Rows; row++)
-            for (int column = 0; column < size.Columns; column++, k++)
-            {
-                double spacing = Spacing(cornersPx, size, column, row);
-                refined[k] = cornersPx[k];
-                if (!CornerRefiner.TryRefine(_gray, CornerRefiner.HalfWindow(spacing), ref refined[k]))
+                window.TryGet(_lattice, column, row, out SaddlePoint p);
+                var position = new Vector2D((p.PositionPx.X + 0.5) * scale - 0.5, (p.PositionPx.Y + 0.5) * scale - 0.5);
+                var start = new SaddlePoint(position, p.EdgeA, p.EdgeB, p.Contrast, p.Quality);
+                double radius = SaddlePointRefiner.RadiusFor(scale * Spacing(window, column, row, p));
+                if (!SaddlePointRefiner.TryRefine(_gray, start, radius, out SaddlePoint refined))
                     return false;
+                cornersPx[k] = refined.PositionPx;
             }
 
-            refined.CopyTo(cornersPx);
             return IsSmooth(cornersPx, size);
         }
 
-        private static double Spacing(ReadOnlySpan<Vector2D> corners, BoardSize size, int column, int row)
+        /// <summary>Distance from a corner to the nearest edge that is not its own: through a neighbour, across the way to it.</summary>
+        private double Spacing(in BoardWindow window, int column, int row, in SaddlePoint corner)
         {
-            int k = row * size.Columns + column;
             double least = double.MaxValue;
-            if (column > 0)
-                least = Math.Min(least, (corners[k] - corners[k - 1]).Length);
-            if (column < size.Columns - 1)
-                least = Math.Min(least, (corners[k] - corners[k + 1]).Length);
-            if (row > 0)
-                least = Math.Min(least, (corners[k] - corners[k - size.Columns]).Length);
-            if (row < size.Rows - 1)
-                least = Math.Min(least, (corners[k] - corners[k + size.Columns]).Length);
-            return least;
+            for (int side = 0; side < 4; side++)
+            {
+                int dx = side == 0 ? 1 : side == 1 ? -1 : 0, dy = side == 2 ? 1 : side == 3 ? -1 : 0;
+                if (window.TryGet(_lattice, column + dx, row + dy, out SaddlePoint next))
+                    least = Math.Min(least, (next.PositionPx - corner.PositionPx).Length);
+            }
+
+            return least * Vector2D.Cross(corner.EdgeA, corner.EdgeB);
         }
 
         /// <summary>Every inner corner lies near the middle of its neighbours, along rows and along columns.</summary>

@@ -52,11 +52,18 @@ namespace LaserTracking.Patterns
         /// <summary>True when a point is part of the grid last grown.</summary>
         public bool Contains(int point) => _memberOf[point] == _generation;
 
-        public bool TryGet(int i, int j, out Vector2D positionPx)
+        public bool TryGet(int i, int j, out SaddlePoint point)
         {
             int index = Index(i, j);
-            positionPx = index >= 0 ? _corners[index].Point.PositionPx : default;
+            point = index >= 0 ? _corners[index].Point : default;
             return index >= 0;
+        }
+
+        public bool TryGet(int i, int j, out Vector2D positionPx)
+        {
+            bool isThere = TryGet(i, j, out SaddlePoint point);
+            positionPx = point.PositionPx;
+            return isThere;
         }
 
         /// <summary>Grows a grid from one of the finder's points; <see cref="Count"/> says how far it came.</summary>

@@ -65,7 +65,7 @@ namespace LaserTracking.Patterns
             int count = 0;
             for (int j = top; j <= bottom; j++)
             for (int i = left; i <= right; i++)
-                count += lattice.TryGet(i, j, out _) ? 1 : 0;
+                count += lattice.TryGet(i, j, out SaddlePoint _) ? 1 : 0;
             return count;
         }
 
