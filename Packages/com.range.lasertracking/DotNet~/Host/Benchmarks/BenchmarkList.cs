@@ -32,6 +32,7 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("hands-640x576", "depth frame in, hands out; 2 people", Hands),
             new Benchmark("pair-multiuser", "4 shots of one frame to 4 hands", Pair),
             new Benchmark("decode-720p-mjpg", "one 1280×720 4:2:2 JPEG to YUY2", Decode),
+            new Benchmark("board-1080p", "1920×1080 grey picture in, 9×6 corners of a board out; clutter, tilt, lens, blur, noise", BoardBenchmark.Prepare),
             new Benchmark("end-to-end-720p", "1280×720 NV12 frame in, scored hit and event line out; 2 shooters, shots all the time", EndToEnd),
         };
 

@@ -24,6 +24,7 @@ namespace LaserTracking.Patterns
         private const int MostLevels = 8;
         private const int MostSeeds = 400;
         private const int MostGrowthsOfPoint = 2;
+        private const double LeastSeedQuality = 0.85;
         private const double LargestBend = 0.3;
 
         private readonly Image _gray = new Image();
@@ -81,7 +82,7 @@ namespace LaserTracking.Patterns
             Array.Clear(_growths, 0, count);
             for (int seed = 0, tried = 0; seed < count && tried < MostSeeds; seed++)
             {
-                if (_growths[seed] >= MostGrowthsOfPoint)
+                if (_growths[seed] >= MostGrowthsOfPoint || _finder.Points[seed].Quality < LeastSeedQuality)
                     continue;
                 tried++;
                 _lattice.Grow(seed);

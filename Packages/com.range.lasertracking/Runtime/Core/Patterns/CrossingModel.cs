@@ -14,6 +14,8 @@ namespace LaserTracking.Patterns
 
         public const int Blur = 4;
 
+        private const double LeastContrast = 1;
+
         private readonly double _x, _y, _cosA, _sinA, _cosB, _sinB, _mean, _amplitude, _slopeX, _slopeY, _inverseBlur;
 
         public CrossingModel(double* p)
@@ -42,13 +44,13 @@ namespace LaserTracking.Patterns
             p[6] = point.Contrast / 2;
         }
 
-        /// <summary>The fitted point; false when light and dark have changed places, the edges fell together or nothing is left.</summary>
+        /// <summary>The fitted point; false when light and dark have changed places, the edges fell together or no contrast is left.</summary>
         public static bool TryRead(double* p, in SaddlePoint start, double quality, out SaddlePoint point)
         {
             var a = new Vector2D(Math.Cos(p[2]), Math.Sin(p[2]));
             var b = new Vector2D(Math.Cos(p[3]), Math.Sin(p[3]));
             point = new SaddlePoint(start.PositionPx + new Vector2D(p[0], p[1]), a, b, 2 * p[6], quality);
-            return p[6] > 0 && Vector2D.Cross(a, b) > 0.1 && point.PositionPx.IsFinite;
+            return point.Contrast > LeastContrast && Vector2D.Cross(a, b) > 0.1 && point.PositionPx.IsFinite;
         }
 
         public double Evaluate(double dx, double dy)
