@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using LaserTracking.Geometry;
 using LaserTracking.Imaging;
 
@@ -7,15 +6,16 @@ namespace LaserTracking.Patterns
 {
     /// <summary>
     /// Finds a checkerboard of known size in a picture: saddle points on a pyramid of scales, grown into a grid, then each corner
-    /// refined at full resolution with a window that follows the squares' size. Needs no calibration, no light border wider than
-    /// nothing, and half of a square around the outer corners. Not thread-safe; allocates nothing once warm but a refusal's reason.
+    /// placed at full resolution in a window that follows the squares' size. Squares of 9 px and more, blur up to a third of a square,
+    /// outer corners 7 px inside the picture. Not thread-safe; once warm only a refusal's reason is allocated.
     /// </summary>
     /// <remarks>
     /// Order of the corners: row by row, columns fastest, rows following clockwise upon columns in the picture (a board seen from its
     /// front; a mirrored picture of a checkerboard is a picture of a checkerboard, which nothing can tell). The first corner is the one
     /// whose square, between the first four corners, is dark: unambiguous where one of columns and rows is even and the other odd.
-    /// Else half a turn changes nothing (with as many columns as rows and both even not even a quarter turn does), and the first column
-    /// is the one that runs most nearly down the picture. OpenCV orders the same way.
+    /// Else half a turn changes nothing (with as many columns as rows and both even not even a quarter turn does), and of the orders
+    /// that are left the one whose first column runs most nearly down the picture is taken. OpenCV's findChessboardCorners gives the
+    /// same order where columns and rows differ in number.
     /// </remarks>
     public sealed class CheckerboardFinder : IDisposable
     {

@@ -53,14 +53,7 @@ namespace LaserTracking.Patterns
             return point.Contrast > LeastContrast && Vector2D.Cross(a, b) > 0.1 && point.PositionPx.IsFinite;
         }
 
-        public double Evaluate(double dx, double dy)
-        {
-            double x = dx - _x, y = dy - _y;
-            double a = Erf((_cosA * y - _sinA * x) * _inverseBlur, out _), b = Erf((_cosB * y - _sinB * x) * _inverseBlur, out _);
-            return _mean + _slopeX * dx + _slopeY * dy + _amplitude * a * b;
-        }
-
-        /// <summary>The same with derivatives by the nine parameters.</summary>
+        /// <summary>Brightness at a place, and its derivatives by the nine parameters.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public double Evaluate(double dx, double dy, double* derivatives)
         {

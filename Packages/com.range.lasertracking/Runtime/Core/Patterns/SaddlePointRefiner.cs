@@ -46,8 +46,10 @@ namespace LaserTracking.Patterns
             double* trial = stackalloc double[CrossingModel.Parameters];
             double* step = stackalloc double[CrossingModel.Parameters];
             double* normal = stackalloc double[CrossingModel.Parameters * CrossingModel.Parameters];
+            double* trialNormal = stackalloc double[CrossingModel.Parameters * CrossingModel.Parameters];
             double* damped = stackalloc double[CrossingModel.Parameters * CrossingModel.Parameters];
             double* gradient = stackalloc double[CrossingModel.Parameters];
+            double* trialGradient = stackalloc double[CrossingModel.Parameters];
             CrossingModel.Start(p, start, window.Mean);
             double cost = Accumulate(window, p, normal, gradient), damping = 1e-3;
             for (int iteration = 0; iteration < Iterations; iteration++)
@@ -58,32 +60,34 @@ namespace LaserTracking.Patterns
                 for (int i = 0; i < CrossingModel.Parameters; i++)
                     trial[i] = p[i] + step[i];
                 trial[CrossingModel.Blur] = Math.Max(LeastBlurPx, Math.Min(LargestBlurOfRadius * radiusPx, trial[CrossingModel.Blur]));
-                double trialCost = Cost(window, trial);
-                if (!(trialCost < cost))
+                double trialCost = Accumulate(window, trial, trialNormal, trialGradient), move = step[0] * step[0] + step[1] * step[1];
+                if (trialCost < cost)
                 {
-                    if (damping > 1e6)
-                        break;
-                    damping *= 8;
-                    if (step[0] * step[0] + step[1] * step[1] < Still * Still * 0.01)
-                        break;
-                    continue;
-                }
-
-                bool isStill = step[0] * step[0] + step[1] * step[1] < Still * Still;
-                Buffer.MemoryCopy(trial, p, sizeof(double) * CrossingModel.Parameters, sizeof(double) * CrossingModel.Parameters);
-                if (p[0] * p[0] + p[1] * p[1] > radiusPx * radiusPx / 4)
-                    return false;
-                if (isStill)
-                {
+                    Swap(ref p, ref trial);
+                    Swap(ref normal, ref trialNormal);
+                    Swap(ref gradient, ref trialGradient);
                     cost = trialCost;
-                    break;
+                    damping *= 0.1;
+                    if (p[0] * p[0] + p[1] * p[1] > radiusPx * radiusPx / 4)
+                        return false;
+                }
+                else
+                {
+                    damping *= 8;
                 }
 
-                damping = Math.Max(1e-7, damping * 0.1);
-                cost = Accumulate(window, p, normal, gradient);
+                if (move < Still * Still)
+                    break;
             }
 
             return CrossingModel.TryRead(p, start, 1 - cost / window.Variance, out refined);
+        }
+
+        private static void Swap(ref double* a, ref double* b)
+        {
+            double* other = a;
+            a = b;
+            b = other;
         }
 
         private static void Damp(double* normal, double damping, double* damped)
@@ -120,24 +124,6 @@ namespace LaserTracking.Patterns
                     for (int j = 0; j <= i; j++)
                         line[j] += weighted * row[j];
                 }
-            }
-
-            return cost;
-        }
-
-        [MethodImpl(JitOptions.OptimizeAtOnce)]
-        private static double Cost(in Window window, double* p)
-        {
-            var model = new CrossingModel(p);
-            double cost = 0;
-            for (int y = window.Top; y <= window.Bottom; y++)
-            for (int x = window.Left; x <= window.Right; x++)
-            {
-                double dx = x - window.Center.X, dy = y - window.Center.Y, weight = window.Weight(dx, dy);
-                if (weight <= 0)
-                    continue;
-                double rest = window.Level(x, y) - model.Evaluate(dx, dy);
-                cost += weight * rest * rest;
             }
 
             return cost;
