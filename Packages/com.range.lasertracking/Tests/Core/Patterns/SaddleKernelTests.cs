@@ -10,11 +10,11 @@ namespace LaserTracking.Patterns
         public void Kernels_AnyWidth_GiveWhatTheirScalarFormsGive()
         {
             var random = new Random(3);
+            ushort** rows = stackalloc ushort*[9];
             for (int width = 1; width < 70; width++)
             {
                 var bytes = new byte[9][];
                 ushort[][] along = new ushort[9][], alongScalar = new ushort[9][];
-                ushort** rows = stackalloc ushort*[9];
                 var pins = new GCHandle[9];
                 for (int i = 0; i < 9; i++)
                 {
