@@ -6,7 +6,7 @@ namespace LaserTracking.Patterns
 {
     /// <summary>
     /// Finds a checkerboard of known size in a picture: saddle points on a pyramid of scales, grown into a grid, then each corner
-    /// placed at full resolution in a window that follows the squares' size. Squares of 9 px and more, blur up to a third of a square,
+    /// placed at full resolution in a window that follows the squares' size. Squares of 11 px and more, blur up to a third of a square,
     /// outer corners 7 px inside the picture. Not thread-safe; once warm only a refusal's reason is allocated.
     /// </summary>
     /// <remarks>
