@@ -36,6 +36,7 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("lens-exact", "the same 1,000,000 pixels to exact rays by Newton's method", LensBenchmark.Exact),
             new Benchmark("calibrate-stereo", "13 pairs of 48 corners: both cameras and how they stand to each other", StereoBenchmark.Prepare),
             new Benchmark("decode-720p-mjpg", "one 1280×720 4:2:2 JPEG to YUY2", Decode),
+            new Benchmark("board-1080p", "1920×1080 grey picture in, 9×6 corners of a board out; clutter, tilt, lens, blur, noise", BoardBenchmark.Prepare),
             new Benchmark("end-to-end-720p", "1280×720 NV12 frame in, scored hit and event line out; 2 shooters, shots all the time", EndToEnd),
         };
 

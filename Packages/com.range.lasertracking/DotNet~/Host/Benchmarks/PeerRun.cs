@@ -76,7 +76,17 @@ namespace LaserTracking.Host.Benchmarks
             PinholeCamera lens = LensBenchmark.Camera.Pinhole;
             File.WriteAllBytes(Path.Combine(folder, "lens.raw"), MemoryMarshal.AsBytes(LensBenchmark.RandomPixels().AsSpan()).ToArray());
             list["lens"] = new JObject { ["file"] = "lens.raw", ["type"] = "<f8", ["shape"] = new JArray(1, LensBenchmark.Pixels, 2), ["K"] = new JArray(lens.FocalXPx, lens.FocalYPx, lens.CenterXPx, lens.CenterYPx), ["dist"] = new JArray(LensBenchmark.Dist) };
-            File.WriteAllText(Path.Combine(folder, "board.json"), StereoBenchmark.Corners());
+            File.WriteAllText(Path.Combine(folder, "corners.json"), StereoBenchmark.Corners());
+            using (FileStream boards = File.Create(Path.Combine(folder, "board.raw")))
+            {
+                for (int i = 0; i < BoardBenchmark.Pictures; i++)
+                {
+                    using Image picture = BoardBenchmark.Picture(i);
+                    boards.Write(picture.Bytes);
+                }
+            }
+
+            list["board"] = new JObject { ["file"] = "board.raw", ["type"] = "u1", ["shape"] = new JArray(BoardBenchmark.Pictures, 1080, 1920) };
             File.WriteAllText(Path.Combine(folder, "frames.json"), list.ToString(Formatting.None));
 
             void Write(FrameLoop frames, Func<Frame, Image> picture, string name, string type, int[] shape)

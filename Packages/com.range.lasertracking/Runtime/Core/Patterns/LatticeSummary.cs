@@ -51,7 +51,7 @@ namespace LaserTracking.Patterns
             if (_across < BoardSize.Least || _down < BoardSize.Least)
                 return FormattableString.Invariant($"no checkerboard found, {board} inner corners asked for");
             bool turn = _across != board.Columns && _down != board.Rows
-                && (_across == board.Rows || _down == board.Columns || _across > _down != board.Columns > board.Rows);
+                && (_across == board.Rows || _down == board.Columns || _across > _down != board.Columns >= board.Rows);
             int columns = turn ? _down : _across, rows = turn ? _across : _down;
             string found = FormattableString.Invariant($"{columns}×{rows} corners found, {board} asked for");
             int missing = columns * rows - _filled;
@@ -65,7 +65,7 @@ namespace LaserTracking.Patterns
             int count = 0;
             for (int j = top; j <= bottom; j++)
             for (int i = left; i <= right; i++)
-                count += lattice.TryGet(i, j, out _) ? 1 : 0;
+                count += lattice.TryGet(i, j, out SaddlePoint _) ? 1 : 0;
             return count;
         }
 
