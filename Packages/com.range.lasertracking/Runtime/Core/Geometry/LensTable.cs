@@ -119,7 +119,7 @@ namespace LaserTracking.Geometry
             int column = (int)u, row = (int)v;
             float x = (float)(u - column), y = (float)(v - row);
             float* above = nodes + 2 * (row * _columns + column);
-            Vector4 top = Unsafe.ReadUnaligned<Vector4>(above), bottom = Unsafe.ReadUnaligned<Vector4>(above + 2 * _columns);
+            Vector4 top = *(Vector4*)above, bottom = *(Vector4*)(above + 2 * _columns);
             Vector4 both = top + (bottom - top) * y;
             return new Vector2D(both.X + x * (both.Z - both.X), both.Y + x * (both.W - both.Y));
         }
