@@ -65,7 +65,7 @@ namespace LaserTracking.Host.Calibration
         }
 
         /// <summary>"1280x720".</summary>
-        public static (int Width, int Height) PixelSize(string text, string option)
+        public static (int Width, int Height) PixelSize(string text, string option = "--image-size")
         {
             string[] parts = text.Split('x');
             return parts.Length == 2 && int.TryParse(parts[0], NumberStyles.None, CultureInfo.InvariantCulture, out int width) && int.TryParse(parts[1], NumberStyles.None, CultureInfo.InvariantCulture, out int height) && IsPixelSize(width, height)
