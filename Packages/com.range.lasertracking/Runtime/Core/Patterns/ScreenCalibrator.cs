@@ -19,6 +19,12 @@ namespace LaserTracking.Patterns
         /// <summary>A point further off than this many standard deviations and pixels does not belong to the plane.</summary>
         private const double LeftOutSigmas = 5, LeftOutPx = 1;
 
+        /// <summary>A point that lies off by so many limits and is dimmer than the screen around it lies on something before the screen.</summary>
+        private const double BeforeScreenLimits = 2.5, DimShare = 0.88;
+
+        /// <summary>Half the width of the surroundings, share of the picture.</summary>
+        private const double Near = 0.25;
+
         /// <summary>Of a single board, every third point along both ways is held out.</summary>
         private const int HeldOutOf = 3;
 
@@ -51,10 +57,12 @@ namespace LaserTracking.Patterns
             string problem = string.Empty;
             ScreenGeometry? screen = FitCount() < LeastPoints ? null : Fit(view, ref lens, out problem);
             var checks = new List<ScreenCheckPoint>();
-            foreach ((ScreenPoint point, bool isHeldOut, bool isLeftOut) in _points)
+            for (int i = 0; i < _points.Count && screen != null; i++)
             {
-                if (screen != null)
-                    checks.Add(new ScreenCheckPoint(point, point.ImagePx - screen.ToImagePx(PlaceM(point)), (screen.ToScreenM(point.ImagePx) - PlaceM(point)) * 1000, isHeldOut, isLeftOut));
+                ScreenPoint point = _points[i].Point;
+                Vector2D offMm = OffMm(screen, point);
+                bool isLeftOut = _points[i].IsLeftOut || (offMm.Length > BeforeScreenLimits * _limitMm && IsDim(screen, point));
+                checks.Add(new ScreenCheckPoint(point, point.ImagePx - screen.ToImagePx(PlaceM(point)), offMm, _points[i].IsHeldOut, isLeftOut));
             }
 
             ScreenRegion[] regions = ScreenRegions.Of(view, screen, _screenSizeM, checks);
@@ -79,6 +87,21 @@ namespace LaserTracking.Patterns
         }
 
         private Vector2D PlaceM(ScreenPoint point) => new Vector2D(point.Place.X * _screenSizeM.X, point.Place.Y * _screenSizeM.Y);
+
+        private Vector2D OffMm(ScreenGeometry screen, ScreenPoint point) => (screen.ToScreenM(point.ImagePx) - PlaceM(point)) * 1000;
+
+        private bool IsDim(ScreenGeometry screen, ScreenPoint point)
+        {
+            var contrasts = new List<double>();
+            foreach ((ScreenPoint other, _, _) in _points)
+            {
+                if (Math.Abs(other.Place.X - point.Place.X) < Near && Math.Abs(other.Place.Y - point.Place.Y) < Near && OffMm(screen, other).Length <= _limitMm)
+                    contrasts.Add(other.Contrast);
+            }
+
+            contrasts.Sort();
+            return contrasts.Count >= 3 && point.Contrast < DimShare * contrasts[contrasts.Count / 2];
+        }
 
         private int FitCount() => _points.FindAll(p => !p.IsHeldOut && !p.IsLeftOut).Count;
 

@@ -25,7 +25,7 @@ namespace LaserTracking.Patterns
         /// <summary>The fit did not use it: its distance proves something.</summary>
         public bool IsHeldOut { get; }
 
-        /// <summary>So far off that the fit did without it.</summary>
+        /// <summary>Left out of the fit, or of its proof, because it does not lie on the screen: far off, and if held out dimmer than the screen.</summary>
         public bool IsLeftOut { get; }
     }
 }

@@ -13,6 +13,12 @@ namespace LaserTracking.Patterns
         /// <summary>Share of the boards' distance explained by one displacement from which the camera was moved between them.</summary>
         private const double MovedShare = 0.6;
 
+        /// <summary>Share of the points that may lie beside the screen's plane.</summary>
+        private const double MostLeftOutShare = 0.15;
+
+        /// <summary>Displacement between two of the pictures from which the camera was moved, px.</summary>
+        private const double MovedPx = 0.5;
+
         /// <summary>Blur as a share of a cell from which corners suffer.</summary>
         private const double BlurredShare = 0.11;
 
@@ -31,7 +37,7 @@ namespace LaserTracking.Patterns
             _limitMm = limitMm;
             foreach (ScreenCheckPoint check in checks)
             {
-                if (check.IsHeldOut)
+                if (check.IsHeldOut && !check.IsLeftOut)
                     _heldOut.Add(check);
             }
         }
@@ -56,16 +62,26 @@ namespace LaserTracking.Patterns
 
         private void JudgeErrors()
         {
+            if (_view.MovedPx.Length > MovedPx)
+            {
+                Refusals.Add(FormattableString.Invariant($"camera or projector moved during the capture: between two pictures the pattern went {_view.MovedPx.Length:F1} px {Compass.Of(_view.MovedPx)}; fix them and show the pattern again"));
+                return;
+            }
+
             if (TryDisplacement(out Vector2D moved))
             {
                 Refusals.Add(FormattableString.Invariant($"camera or projector moved during the capture: the second pattern lies {moved.Length:F1} px {Compass.Of(moved)} of where the first one puts it; fix them and show the pattern again"));
                 return;
             }
 
-            int proven = 0;
+            int proven = 0, leftOut = 0, measured = 0;
             for (int i = 0; i < _regions.Length; i++)
             {
                 ScreenRegion region = _regions[i];
+                leftOut += region.LeftOut;
+                measured += region.Measured;
+                if (region.LeftOut > 0)
+                    Notes.Add(FormattableString.Invariant($"{region.Name}: {region.LeftOut} points were left out, they do not lie on the screen's plane: something stands before it"));
                 proven += region.HeldOutMm.Count >= LeastChecks ? 1 : 0;
                 if (region.HeldOutMm.Max > _limitMm)
                     Refusals.Add(FormattableString.Invariant($"{region.Name}: the held-out error reaches {region.HeldOutMm.Max:F1} mm ({region.HeldOutPx.Max:F2} px), over the limit of {_limitMm} mm: {Cause(i)}"));
@@ -75,6 +91,8 @@ namespace LaserTracking.Patterns
                     Notes.Add(FormattableString.Invariant($"{region.Name}: nothing is proven there ({region.HeldOutMm.Count} held-out points): {Why(region)}"));
             }
 
+            if (leftOut > MostLeftOutShare * measured)
+                Refusals.Add(FormattableString.Invariant($"{leftOut} of {measured} points do not lie on one plane: the screen is not flat, or too much stands before it; clear the way and show the pattern again"));
             if (proven < ScreenRegion.Count - ScreenRegion.Across)
                 Refusals.Add(FormattableString.Invariant($"only {proven} of {ScreenRegion.Count} parts of the screen are proven: {Worst()}"));
         }

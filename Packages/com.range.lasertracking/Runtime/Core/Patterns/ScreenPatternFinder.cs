@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using LaserTracking.Geometry;
 using LaserTracking.Imaging;
 
 namespace LaserTracking.Patterns
@@ -77,23 +78,49 @@ namespace LaserTracking.Patterns
                 for (int i = 0; i + apart < shown.Count; i++)
                 {
                     _signal.SetToDifference(shown[i], shown[i + apart]);
-                    Search();
+                    Keep(Search());
                 }
             }
 
             for (int i = 0; i < shown.Count && (_best[0] == null || _best[1] == null); i++)
             {
                 _signal.SetToFlattened(shown[i]);
-                Search();
+                Keep(Search());
             }
 
-            return new ScreenPatternView(_width, _height, _frames, shown.Count, _best[0], _best[1]);
+            return new ScreenPatternView(_width, _height, _frames, shown.Count, Movement(shown), _best[0], _best[1]);
         }
 
         public void Dispose() => _signal.Dispose();
 
         /// <summary>Most of a board is there: no other pair of pictures will show more.</summary>
         private bool IsWellSeen(int board) => _best[board] is BoardSighting sighting && sighting.Measured > WellSeenShare * sighting.Points.Length;
+
+        /// <summary>The largest displacement of the boards in a single picture against where they were measured.</summary>
+        private Vector2D Movement(List<HeldPicture> shown)
+        {
+            Vector2D largest = default;
+            for (int i = 0; i < shown.Count && shown.Count > 1; i++)
+            {
+                _signal.SetToFlattened(shown[i]);
+                if (Search() is BoardSighting sighting && _best[sighting.Board.IsShifted ? 1 : 0] is BoardSighting best && best.Board.CellsDown == sighting.Board.CellsDown)
+                {
+                    Vector2D moved = sighting.MovedFrom(best);
+                    largest = moved.LengthSquared > largest.LengthSquared ? moved : largest;
+                }
+            }
+
+            return largest;
+        }
+
+        private void Keep(BoardSighting? sighting)
+        {
+            if (sighting == null)
+                return;
+            ref BoardSighting? best = ref _best[sighting.Board.IsShifted ? 1 : 0];
+            if (best == null || sighting.Worth > best.Worth)
+                best = sighting;
+        }
 
         private void Begin(Image image)
         {
@@ -112,19 +139,18 @@ namespace LaserTracking.Patterns
         }
 
         /// <summary>Looks for one board in the signal, at the resolution that makes cells neither tiny nor soft, then at its neighbours.</summary>
-        private void Search()
+        private BoardSighting? Search()
         {
             int usual = 0;
             while ((long)(_width >> usual) * (_height >> usual) > SearchedPixels && usual < SignalPicture.MostLevels - 1)
                 usual++;
-            if (!TrySearch(usual) && !TrySearch(usual + 1))
-                TrySearch(usual - 1);
+            return Search(usual) ?? Search(usual + 1) ?? Search(usual - 1);
         }
 
-        private bool TrySearch(int level)
+        private BoardSighting? Search(int level)
         {
             if (level < 0 || level >= SignalPicture.MostLevels || Math.Min(_width, _height) >> level < LeastSide)
-                return false;
+                return null;
             Image picture = _signal.Level(level);
             int count = _saddles.Find(picture).Length;
             _lattice.Use(picture.Width, picture.Height);
@@ -140,16 +166,11 @@ namespace LaserTracking.Patterns
                 if (_lattice.Count < LeastCorners || !_decoder.TryDecode(_signal, _lattice, level))
                     continue;
                 ScreenPoint[]? points = new ScreenPointLocator(_decoder.Board, _signal, _decoder.IsUpright).Locate(_decoder.Points);
-                if (points == null)
-                    continue;
-                var sighting = new BoardSighting(_decoder.Board, points, _decoder.IsMirrored);
-                ref BoardSighting? best = ref _best[_decoder.Board.IsShifted ? 1 : 0];
-                if (best == null || sighting.Worth > best.Worth)
-                    best = sighting;
-                return true;
+                if (points != null)
+                    return new BoardSighting(_decoder.Board, points, _decoder.IsMirrored);
             }
 
-            return false;
+            return null;
         }
     }
 }

@@ -26,7 +26,7 @@ namespace LaserTracking.Patterns
         private const double LeastContrast = 1.5;
 
         /// <summary>Contrast of a point as a share of that around it: less is no screen, or not all of the time.</summary>
-        private const double LeastRelativeContrast = 0.55;
+        private const double LeastRelativeContrast = 0.72;
 
         private readonly ScreenBoard _board;
         private readonly SignalPicture _signal;

@@ -25,6 +25,9 @@ namespace LaserTracking.Patterns
 
         public int Unclear { get; internal set; }
 
+        /// <summary>Measured points that do not lie on the screen's plane, or not on the screen at all.</summary>
+        public int LeftOut { get; internal set; }
+
         /// <summary>Of its held-out points; none: nothing is proven there.</summary>
         public PointErrors HeldOutPx { get; internal set; }
 

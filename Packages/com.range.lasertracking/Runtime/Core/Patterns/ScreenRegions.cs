@@ -21,7 +21,9 @@ namespace LaserTracking.Patterns
                     if (ScreenRegion.IndexOf(check.Point.Place) != i)
                         continue;
                     blur.Add(check.Point.BlurPx);
-                    if (!check.IsHeldOut)
+                    if (check.IsLeftOut)
+                        regions[i].LeftOut++;
+                    if (!check.IsHeldOut || check.IsLeftOut)
                         continue;
                     px.Add(check.OffPx.Length);
                     mm.Add(check.OffMm.Length);

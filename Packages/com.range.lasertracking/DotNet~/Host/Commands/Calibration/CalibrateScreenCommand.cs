@@ -110,7 +110,7 @@ namespace LaserTracking.Host.Commands
                 throw new InputException("--map", "there is a map of the pattern's points only", "use it with --image");
             string source = file ?? "--corners";
             ScreenPoints measured = file != null ? ScreenPoints.Read(file) : ScreenPoints.FromCorners(corners, sizeM);
-            (int width, int height) = measured.ImageSize ?? (lens == null ? ScreenPoints.PixelSize(imageSize, "--image-size") : (lens.Pinhole.Width, lens.Pinhole.Height));
+            (int width, int height) = measured.ImageSize ?? (lens == null ? ScreenPoints.PixelSize(imageSize) : (lens.Pinhole.Width, lens.Pinhole.Height));
             if (!ScreenGeometry.TryFit(measured.ImagePx, measured.ScreenM, sizeM, lens, HandSigmaPx, out ScreenGeometry? screen, out string reason))
                 throw new InputException(source, reason, "measure these points again");
             var calibration = new RangeCalibration(screen!, width, height, null);

@@ -90,7 +90,7 @@ namespace LaserTracking.Host.Studies.Calibration
 
             public bool ShouldBeAccepted => !Room.IsBumped && TrueMax <= LimitMm;
 
-            public IEnumerable<ScreenCheckPoint> HeldOut => Calibration.Points.Where(p => p.IsHeldOut);
+            public IEnumerable<ScreenCheckPoint> HeldOut => Calibration.Points.Where(p => p.IsHeldOut && !p.IsLeftOut);
         }
     }
 }
