@@ -55,6 +55,8 @@ namespace LaserTracking.Patterns
             int columns = turn ? _down : _across, rows = turn ? _across : _down;
             string found = FormattableString.Invariant($"{columns}×{rows} corners found, {board} asked for");
             int missing = columns * rows - _filled;
+            if (missing == 0 && columns == board.Columns && rows == board.Rows && !_touchesBorder)
+                return FormattableString.Invariant($"{board} corners found, but they cannot be placed: too blurred, or the board is not flat");
             if (missing > 0)
                 found += FormattableString.Invariant($"; {missing} of the {columns}×{rows} are hidden, in glare or too blurred");
             return _touchesBorder ? found + "; the board reaches the picture's edge" : found;
