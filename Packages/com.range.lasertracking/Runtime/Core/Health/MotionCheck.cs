@@ -118,7 +118,7 @@ namespace LaserTracking.Health
             string way = shift.Length > 0.5 * largest
                 ? FormattableString.Invariant($"has shifted by {px:F1} px {Compass.Of(shift)} ({shift.X * binPx:+0.0;-0.0}, {shift.Y * binPx:+0.0;-0.0})")
                 : FormattableString.Invariant($"has turned, by {px:F1} px at its corners");
-            health.Say(HealthKind.CameraMoved, px, "the camera was moved: its picture " + way + "; calibrate the screen again");
+            health.Say(HealthKind.CameraMoved, px, "the camera was moved: its picture " + way + "; calibrate again");
             if (!_byEdges)
                 Renew();
         }

@@ -10,6 +10,9 @@ namespace LaserTracking.Patterns
         /// <summary>Held-out points from which a part of the screen counts as proven.</summary>
         private const int LeastChecks = 3;
 
+        /// <summary>Parts of the screen that may go unproven as long as the others say enough about them.</summary>
+        private const int MostUnproven = 2;
+
         /// <summary>Share of the boards' distance explained by one displacement from which the camera was moved between them.</summary>
         private const double MovedShare = 0.6;
 
@@ -93,7 +96,7 @@ namespace LaserTracking.Patterns
 
             if (leftOut > MostLeftOutShare * measured)
                 Refusals.Add(FormattableString.Invariant($"{leftOut} of {measured} points do not lie on one plane: the screen is not flat, or too much stands before it; clear the way and show the pattern again"));
-            if (proven < ScreenRegion.Count - ScreenRegion.Across)
+            if (proven < ScreenRegion.Count - MostUnproven)
                 Refusals.Add(FormattableString.Invariant($"only {proven} of {ScreenRegion.Count} parts of the screen are proven: {Worst()}"));
         }
 

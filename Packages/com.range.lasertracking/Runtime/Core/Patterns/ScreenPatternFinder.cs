@@ -96,18 +96,23 @@ namespace LaserTracking.Patterns
         /// <summary>Most of a board is there: no other pair of pictures will show more.</summary>
         private bool IsWellSeen(int board) => _best[board] is BoardSighting sighting && sighting.Measured > WellSeenShare * sighting.Points.Length;
 
-        /// <summary>The largest displacement of the boards in a single picture against where they were measured.</summary>
+        /// <summary>The largest displacement of a board between two of the pictures, or against where it was measured.</summary>
         private Vector2D Movement(List<HeldPicture> shown)
         {
+            var places = new[] { new List<Vector2D> { default }, new List<Vector2D> { default } };
             Vector2D largest = default;
             for (int i = 0; i < shown.Count && shown.Count > 1; i++)
             {
                 _signal.SetToFlattened(shown[i]);
-                if (Search() is BoardSighting sighting && _best[sighting.Board.IsShifted ? 1 : 0] is BoardSighting best && best.Board.CellsDown == sighting.Board.CellsDown)
-                {
-                    Vector2D moved = sighting.MovedFrom(best);
-                    largest = moved.LengthSquared > largest.LengthSquared ? moved : largest;
-                }
+                if (!(Search() is BoardSighting sighting))
+                    continue;
+                int board = sighting.Board.IsShifted ? 1 : 0;
+                if (!(_best[board] is BoardSighting best) || best.Board.CellsDown != sighting.Board.CellsDown)
+                    continue;
+                Vector2D place = sighting.MovedFrom(best);
+                foreach (Vector2D other in places[board])
+                    largest = (place - other).LengthSquared > largest.LengthSquared ? place - other : largest;
+                places[board].Add(place);
             }
 
             return largest;

@@ -19,8 +19,8 @@ namespace LaserTracking.Patterns
         private const double InnerRing = 0.13, OuterRing = 0.26;
         private const int RingSteps = 24;
 
-        /// <summary>Below it something is half in the way: such corners lie off by pixels.</summary>
-        private const double LeastSymmetry = 0.985;
+        /// <summary>Above it something is half in the way: such corners lie off by pixels. In small cells the pixels' own grain adds to it.</summary>
+        private const double LargestAsymmetry = 0.015, CoarseCellPx = 30;
 
         /// <summary>Levels of contrast below which there is nothing to measure.</summary>
         private const double LeastContrast = 1.5;
@@ -119,7 +119,8 @@ namespace LaserTracking.Patterns
             if (contrast < LeastContrast || least * sign < 0)
                 return new ScreenPoint(place, ScreenPointState.Covered, expected, contrast, 0, 0);
             double symmetry = isFound ? Symmetry(corner, along, across) : 0;
-            return symmetry >= LeastSymmetry
+            double grain = Math.Max(1, CoarseCellPx / cell);
+            return symmetry >= 1 - LargestAsymmetry * grain * grain
                 ? new ScreenPoint(place, ScreenPointState.Measured, corner, contrast, symmetry, Blur(corner, along, across, contrast))
                 : new ScreenPoint(place, ScreenPointState.Unclear, expected, contrast, symmetry, 0);
         }
