@@ -25,6 +25,8 @@ namespace LaserTracking.Host.Studies
             new StaticStudy(),
             new FrameRateStudy(),
             new DotTracksStudy(),
+            new Calibration.ScreenCalibrationStudy(),
+            new Calibration.BoardStudy(),
         };
     }
 }
