@@ -16,7 +16,7 @@ namespace LaserTracking.Calibration
 
         // A focal length or centre that may be off by this share of the focal length is not determined.
         private const double UndeterminedShare = 0.05;
-        private const double ParallelDegrees = 3;
+        private const double ParallelDegrees = 8;
 
         /// <param name="views">At least one; three that are tilted differently are the practical minimum, twenty are usual.</param>
         /// <param name="width">Picture width in pixels.</param>
@@ -57,7 +57,7 @@ namespace LaserTracking.Calibration
             {
                 double spread = LargestAngleDegrees(fit.State.Boards);
                 string why = spread < ParallelDegrees
-                    ? FormattableString.Invariant($"the views are all parallel (within {spread:F1}°)")
+                    ? FormattableString.Invariant($"the views are all parallel, as far as one can tell (within {spread:F1}°)")
                     : FormattableString.Invariant($"{used.Count} views with tilts that differ by {spread:F0}° at most are not enough");
                 reason = $"{why}: not determined: {undetermined}; take views tilted by 20° and more, some about each axis";
                 return false;

@@ -58,6 +58,15 @@ namespace LaserTracking.Calibration
         public static Pose Middle(List<PlacedPair> pairs) =>
             pairs.OrderBy(candidate => pairs.Sum(other => Distance(candidate.Between, other.Between))).First().Between;
 
+        /// <summary>How well both views fit cameras that stand to each other like this, px; the board may move.</summary>
+        public double RmsPx(LensCamera left, LensCamera right, Pose leftToRight)
+        {
+            BundleCamera[] cameras = { BundleCamera.Known(left.Pinhole.Width, left.Pinhole.Height), BundleCamera.Known(right.Pinhole.Width, right.Pinhole.Height) };
+            BundleObservation[] observations = { new BundleObservation(0, 0, Pair.Left), new BundleObservation(1, 0, Pair.Right) };
+            var start = new BundleState(new[] { CameraParameters.Of(left), CameraParameters.Of(right) }, new[] { Pose.Identity, leftToRight }, new[] { LeftPose });
+            return BundleAdjuster.Solve(cameras, observations, start, out NormalEquations? equations) == null ? double.PositiveInfinity : equations!.RmsPx;
+        }
+
         private Pose Relative(Pose rightPose)
         {
             Rotation3D rotation = rightPose.Rotation * LeftPose.Rotation.Inverse;

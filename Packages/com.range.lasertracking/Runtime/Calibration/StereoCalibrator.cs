@@ -11,6 +11,11 @@ namespace LaserTracking.Calibration
     /// </summary>
     public static class StereoCalibrator
     {
+        // The agreed pose is only as good as one pair: what fits it ten times worse than usual is not a matter of noise.
+        private const double StrangerFactor = 10;
+        private const double NegligiblePx = 0.1;
+        private const int FewestForStrangers = 5;
+
         /// <param name="pairs">At least one; ten to twenty are usual.</param>
         /// <param name="left">Camera 0 as calibrated alone.</param>
         /// <param name="right">Camera 1 as calibrated alone.</param>
@@ -39,6 +44,8 @@ namespace LaserTracking.Calibration
             }
 
             PlacedPair.Agree(placed, notes);
+            if (!keepsAll)
+                LeaveOutStrangers(placed, left, right, leftOut);
             Fit? fit;
             while (true)
             {
@@ -62,6 +69,27 @@ namespace LaserTracking.Calibration
             calibration = new StereoCalibration(rig, fit.RmsPx, placed.Select(p => p.Pair).ToArray(), fit.PerPairRmsPx, fit.State.Boards, fit.RigDeviations, leftOut, notes);
             reason = string.Empty;
             return true;
+        }
+
+        /// <summary>
+        /// Pairs that have nothing to do with the others would draw a fit of all so far off that none stands out: they go first, judged
+        /// by the pose between the cameras on which the pairs agree.
+        /// </summary>
+        private static void LeaveOutStrangers(List<PlacedPair> pairs, LensCamera left, LensCamera right, List<LeftOutView> leftOut)
+        {
+            if (pairs.Count < FewestForStrangers)
+                return;
+            Pose middle = PlacedPair.Middle(pairs);
+            double[] rmsPx = pairs.Select(pair => pair.RmsPx(left, right, middle)).ToArray();
+            double median = rmsPx.OrderBy(value => value).ElementAt(rmsPx.Length / 2);
+            for (int i = pairs.Count - 1; i >= 0; i--)
+            {
+                if (rmsPx[i] <= StrangerFactor * Math.Max(median, NegligiblePx))
+                    continue;
+                leftOut.Add(new LeftOutView(pairs[i].Pair.Name, FormattableString.Invariant(
+                    $"it puts the cameras elsewhere to each other than the other pairs do ({rmsPx[i]:F1} px off): not of one moment, or left and right swapped")));
+                pairs.RemoveAt(i);
+            }
         }
 
         /// <summary>

@@ -63,6 +63,6 @@ namespace LaserTracking.Host.Calibration
         public string ModelName(ParseResult parsed) => parsed.GetValue(_model)!;
 
         /// <summary>Null when not given.</summary>
-        public (int Width, int Height)? ImageSize(ParseResult parsed) => parsed.GetValue(_imageSize) is string text ? ScreenPoints.PixelSize(text) : null;
+        public (int Width, int Height)? ImageSize(ParseResult parsed) => parsed.GetValue(_imageSize) is string text ? ScreenPoints.PixelSize(text, "--image-size") : null;
     }
 }

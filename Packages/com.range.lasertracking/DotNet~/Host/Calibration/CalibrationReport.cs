@@ -9,7 +9,7 @@ namespace LaserTracking.Host.Calibration
     /// <summary>Calibrations of cameras as JSON, field by field as the contract has it.</summary>
     internal static class CalibrationReport
     {
-        public static JObject OfCamera(CameraCalibration found, SeenBoards seen, string model, Board? board, double? heldOutPx)
+        public static JObject OfCamera(CameraCalibration found, SeenBoards seen, string model, Board? board, double? heldOutPx, IEnumerable<string> notes)
         {
             JObject root = Head("camera", found.RmsPx, found.PerViewRmsPx);
             root.Merge(LensCameraJson.Format(found.Camera));
@@ -17,7 +17,7 @@ namespace LaserTracking.Host.Calibration
             root["std"] = Deviations(found);
             AddBoard(root, board);
             root["views"] = new JArray(found.Views.Select(view => view.Name));
-            AddJudgement(root, heldOutPx, seen.Missing().Concat(found.LeftOut), found.Notes);
+            AddJudgement(root, heldOutPx, seen.Missing().Concat(found.LeftOut), notes.Concat(found.Notes));
             return root;
         }
 
@@ -28,7 +28,8 @@ namespace LaserTracking.Host.Calibration
         /// <param name="model">As the user named it.</param>
         /// <param name="board">Null when the points are no grid.</param>
         /// <param name="heldOutPx">Null when there are too few pairs.</param>
-        public static JObject OfStereo(CameraCalibration left, CameraCalibration right, StereoCalibration found, IEnumerable<LeftOutView> missing, string model, Board? board, double? heldOutPx)
+        /// <param name="notes">What else the user should know.</param>
+        public static JObject OfStereo(CameraCalibration left, CameraCalibration right, StereoCalibration found, IEnumerable<LeftOutView> missing, string model, Board? board, double? heldOutPx, IEnumerable<string> notes)
         {
             StereoRig rig = found.Rig;
             JObject root = Head("stereo", found.RmsPx, found.PerPairRmsPx);
@@ -49,7 +50,7 @@ namespace LaserTracking.Host.Calibration
             root["rectification"] = Rectification(rig);
             AddBoard(root, board);
             root["views"] = new JArray(found.Pairs.Select(pair => new JArray(pair.Left.Name, pair.Right.Name)));
-            AddJudgement(root, heldOutPx, missing.Concat(found.LeftOut), left.Notes.Select(note => "left: " + note).Concat(right.Notes.Select(note => "right: " + note)).Concat(found.Notes).Distinct());
+            AddJudgement(root, heldOutPx, missing.Concat(found.LeftOut), notes.Concat(left.Notes.Select(note => "left: " + note)).Concat(right.Notes.Select(note => "right: " + note)).Concat(found.Notes).Distinct());
             return root;
         }
 

@@ -10,6 +10,7 @@ namespace LaserTracking.Host.Commands
             CalibratePatternCommand.Create(),
             CalibrateScreenCommand.Create(),
             CalibrateVerifyCommand.Create(),
+            CalibratePlaneCommand.Create(),
             CalibrateBoardCommand.Create(),
             CalibrateStereoCommand.Create(),
             CalibrateHistoryCommand.Create(),

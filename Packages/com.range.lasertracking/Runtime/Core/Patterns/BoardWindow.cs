@@ -1,5 +1,4 @@
 using System;
-using LaserTracking.Geometry;
 
 namespace LaserTracking.Patterns
 {
@@ -30,8 +29,8 @@ namespace LaserTracking.Patterns
             }
         }
 
-        public bool TryGet(CornerLattice lattice, int column, int row, out Vector2D positionPx) =>
-            lattice.TryGet(_i + column * _columnI - row * _columnJ, _j + column * _columnJ + row * _columnI, out positionPx);
+        public bool TryGet(CornerLattice lattice, int column, int row, out SaddlePoint point) =>
+            lattice.TryGet(_i + column * _columnI - row * _columnJ, _j + column * _columnJ + row * _columnI, out point);
 
         /// <summary>
         /// Finds a whole board of exactly this size in a lattice and the reading that starts with a dark square; of several the one
@@ -51,9 +50,9 @@ namespace LaserTracking.Patterns
                     var candidate = new BoardWindow(i, j, columnI, columnJ, size);
                     if (!candidate.IsWholeBoard(lattice))
                         continue;
-                    candidate.TryGet(lattice, 0, 0, out Vector2D first);
-                    candidate.TryGet(lattice, 0, size.Rows - 1, out Vector2D last);
-                    double drop = last.Y - first.Y;
+                    candidate.TryGet(lattice, 0, 0, out SaddlePoint first);
+                    candidate.TryGet(lattice, 0, size.Rows - 1, out SaddlePoint last);
+                    double drop = last.PositionPx.Y - first.PositionPx.Y;
                     bool dark = candidate.StartsDark;
                     if (isFound && (isDark && !dark || isDark == dark && drop <= bestDrop))
                         continue;

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using LaserTracking.Geometry;
 using LaserTracking.Imaging;
 
@@ -7,15 +6,16 @@ namespace LaserTracking.Patterns
 {
     /// <summary>
     /// Finds a checkerboard of known size in a picture: saddle points on a pyramid of scales, grown into a grid, then each corner
-    /// refined at full resolution with a window that follows the squares' size. Needs no calibration, no light border wider than
-    /// nothing, and half of a square around the outer corners. Not thread-safe; allocates nothing once warm but a refusal's reason.
+    /// placed at full resolution in a window that follows the squares' size. Squares of 11 px and more, blur up to a third of a square,
+    /// outer corners 7 px inside the picture. Not thread-safe; once warm only a refusal's reason is allocated.
     /// </summary>
     /// <remarks>
     /// Order of the corners: row by row, columns fastest, rows following clockwise upon columns in the picture (a board seen from its
     /// front; a mirrored picture of a checkerboard is a picture of a checkerboard, which nothing can tell). The first corner is the one
     /// whose square, between the first four corners, is dark: unambiguous where one of columns and rows is even and the other odd.
-    /// Else half a turn changes nothing (with as many columns as rows and both even not even a quarter turn does), and the first column
-    /// is the one that runs most nearly down the picture. OpenCV orders the same way.
+    /// Else half a turn changes nothing (with as many columns as rows and both even not even a quarter turn does), and of the orders
+    /// that are left the one whose first column runs most nearly down the picture is taken. OpenCV's findChessboardCorners gives the
+    /// same order where columns and rows differ in number.
     /// </remarks>
     public sealed class CheckerboardFinder : IDisposable
     {
@@ -24,6 +24,7 @@ namespace LaserTracking.Patterns
         private const int MostLevels = 8;
         private const int MostSeeds = 400;
         private const int MostGrowthsOfPoint = 2;
+        private const double LeastSeedQuality = 0.85;
         private const double LargestBend = 0.3;
 
         private readonly Image _gray = new Image();
@@ -81,7 +82,7 @@ namespace LaserTracking.Patterns
             Array.Clear(_growths, 0, count);
             for (int seed = 0, tried = 0; seed < count && tried < MostSeeds; seed++)
             {
-                if (_growths[seed] >= MostGrowthsOfPoint)
+                if (_growths[seed] >= MostGrowthsOfPoint || _finder.Points[seed].Quality < LeastSeedQuality)
                     continue;
                 tried++;
                 _lattice.Grow(seed);
@@ -112,37 +113,30 @@ namespace LaserTracking.Patterns
             for (int row = 0, k = 0; row < size.Rows; row++)
             for (int column = 0; column < size.Columns; column++, k++)
             {
-                window.TryGet(_lattice, column, row, out Vector2D p);
-                cornersPx[k] = new Vector2D((p.X + 0.5) * scale - 0.5, (p.Y + 0.5) * scale - 0.5);
-            }
-
-            Span<Vector2D> refined = stackalloc Vector2D[size.Count];
-            for (int row = 0, k = 0; row < size.Rows; row++)
-            for (int column = 0; column < size.Columns; column++, k++)
-            {
-                double spacing = Spacing(cornersPx, size, column, row);
-                refined[k] = cornersPx[k];
-                if (!CornerRefiner.TryRefine(_gray, CornerRefiner.HalfWindow(spacing), ref refined[k]))
+                window.TryGet(_lattice, column, row, out SaddlePoint p);
+                var position = new Vector2D((p.PositionPx.X + 0.5) * scale - 0.5, (p.PositionPx.Y + 0.5) * scale - 0.5);
+                var start = new SaddlePoint(position, p.EdgeA, p.EdgeB, p.Contrast, p.Quality);
+                double radius = SaddlePointRefiner.RadiusFor(scale * Spacing(window, column, row, p));
+                if (!SaddlePointRefiner.TryRefine(_gray, start, radius, out SaddlePoint refined))
                     return false;
+                cornersPx[k] = refined.PositionPx;
             }
 
-            refined.CopyTo(cornersPx);
             return IsSmooth(cornersPx, size);
         }
 
-        private static double Spacing(ReadOnlySpan<Vector2D> corners, BoardSize size, int column, int row)
+        /// <summary>Distance from a corner to the nearest edge that is not its own: through a neighbour, across the way to it.</summary>
+        private double Spacing(in BoardWindow window, int column, int row, in SaddlePoint corner)
         {
-            int k = row * size.Columns + column;
             double least = double.MaxValue;
-            if (column > 0)
-                least = Math.Min(least, (corners[k] - corners[k - 1]).Length);
-            if (column < size.Columns - 1)
-                least = Math.Min(least, (corners[k] - corners[k + 1]).Length);
-            if (row > 0)
-                least = Math.Min(least, (corners[k] - corners[k - size.Columns]).Length);
-            if (row < size.Rows - 1)
-                least = Math.Min(least, (corners[k] - corners[k + size.Columns]).Length);
-            return least;
+            for (int side = 0; side < 4; side++)
+            {
+                int dx = side == 0 ? 1 : side == 1 ? -1 : 0, dy = side == 2 ? 1 : side == 3 ? -1 : 0;
+                if (window.TryGet(_lattice, column + dx, row + dy, out SaddlePoint next))
+                    least = Math.Min(least, (next.PositionPx - corner.PositionPx).Length);
+            }
+
+            return least * Vector2D.Cross(corner.EdgeA, corner.EdgeB);
         }
 
         /// <summary>Every inner corner lies near the middle of its neighbours, along rows and along columns.</summary>

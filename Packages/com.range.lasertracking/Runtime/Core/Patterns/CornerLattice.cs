@@ -16,8 +16,8 @@ namespace LaserTracking.Patterns
         private const double AlongSeedEdge = 0.21;
         private const double ReachOfStep = 0.3;
         private const double ParallelSine = 0.4;
-        private const double LeastContrastRatio = 0.2;
-        private const double LeastQuality = 0.55;
+        private const double LeastContrastRatio = 0.35;
+        private const double LeastQuality = 0.75;
         private const int TrustedCorners = 6;
 
         private readonly int[] _cells = new int[Side * Side];
@@ -52,11 +52,18 @@ namespace LaserTracking.Patterns
         /// <summary>True when a point is part of the grid last grown.</summary>
         public bool Contains(int point) => _memberOf[point] == _generation;
 
-        public bool TryGet(int i, int j, out Vector2D positionPx)
+        public bool TryGet(int i, int j, out SaddlePoint point)
         {
             int index = Index(i, j);
-            positionPx = index >= 0 ? _corners[index].Point.PositionPx : default;
+            point = index >= 0 ? _corners[index].Point : default;
             return index >= 0;
+        }
+
+        public bool TryGet(int i, int j, out Vector2D positionPx)
+        {
+            bool isThere = TryGet(i, j, out SaddlePoint point);
+            positionPx = point.PositionPx;
+            return isThere;
         }
 
         /// <summary>Grows a grid from one of the finder's points; <see cref="Count"/> says how far it came.</summary>
@@ -107,7 +114,7 @@ namespace LaserTracking.Patterns
             {
                 Vector2D way = points[k].PositionPx - seed.PositionPx;
                 double along = Vector2D.Dot(way, direction);
-                if (along <= 0 || along >= least || Math.Abs(Vector2D.Cross(way, direction)) > AlongSeedEdge * along || Contains(k))
+                if (along <= 0 || along >= least || Math.Abs(Vector2D.Cross(way, direction)) > AlongSeedEdge * along || Contains(k) || points[k].Quality < LeastQuality)
                     continue;
                 // The neighbour's edges have changed roles.
                 Vector2D same = alongA ? points[k].EdgeB : points[k].EdgeA, other = alongA ? points[k].EdgeA : points[k].EdgeB;
@@ -153,7 +160,6 @@ namespace LaserTracking.Patterns
                 Add(toI, toJ, _finder.Points[nearest], nearest);
             else if (_corners.Count >= TrustedCorners
                 && _finder.TryFindNear(expected, reach, out SaddlePoint found)
-                && found.Quality >= LeastQuality
                 && Fits(here, found, step, (toI + toJ) % 2 == 0, di != 0))
                 Add(toI, toJ, found, -1);
         }
@@ -163,7 +169,7 @@ namespace LaserTracking.Patterns
             // In even cells edge A runs along i, in odd ones edge B.
             Vector2D along = isEven == alongI ? there.EdgeA : there.EdgeB, across = isEven == alongI ? there.EdgeB : there.EdgeA;
             Vector2D acrossHere = isEven == alongI ? here.EdgeA : here.EdgeB;
-            return AreParallel(along, step * (1 / step.Length)) && AreParallel(across, acrossHere) && AreAlike(here.Contrast, there.Contrast);
+            return there.Quality >= LeastQuality && AreParallel(along, step * (1 / step.Length)) && AreParallel(across, acrossHere) && AreAlike(here.Contrast, there.Contrast);
         }
 
         private static bool AreParallel(Vector2D a, Vector2D b) => Math.Abs(Vector2D.Cross(a, b)) < ParallelSine;

@@ -51,10 +51,12 @@ namespace LaserTracking.Patterns
             if (_across < BoardSize.Least || _down < BoardSize.Least)
                 return FormattableString.Invariant($"no checkerboard found, {board} inner corners asked for");
             bool turn = _across != board.Columns && _down != board.Rows
-                && (_across == board.Rows || _down == board.Columns || _across > _down != board.Columns > board.Rows);
+                && (_across == board.Rows || _down == board.Columns || _across > _down != board.Columns >= board.Rows);
             int columns = turn ? _down : _across, rows = turn ? _across : _down;
             string found = FormattableString.Invariant($"{columns}×{rows} corners found, {board} asked for");
             int missing = columns * rows - _filled;
+            if (missing == 0 && columns == board.Columns && rows == board.Rows && !_touchesBorder)
+                return FormattableString.Invariant($"{board} corners found, but they cannot be placed: too blurred, or the board is not flat");
             if (missing > 0)
                 found += FormattableString.Invariant($"; {missing} of the {columns}×{rows} are hidden, in glare or too blurred");
             return _touchesBorder ? found + "; the board reaches the picture's edge" : found;
@@ -65,7 +67,7 @@ namespace LaserTracking.Patterns
             int count = 0;
             for (int j = top; j <= bottom; j++)
             for (int i = left; i <= right; i++)
-                count += lattice.TryGet(i, j, out _) ? 1 : 0;
+                count += lattice.TryGet(i, j, out SaddlePoint _) ? 1 : 0;
             return count;
         }
 

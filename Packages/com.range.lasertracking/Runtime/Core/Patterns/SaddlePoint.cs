@@ -18,7 +18,7 @@ namespace LaserTracking.Patterns
             Quality = quality;
         }
 
-        /// <summary>Stationary point of the smoothed picture, in pixels; some tenths of a pixel. <see cref="CornerRefiner"/> does better.</summary>
+        /// <summary>Stationary point of the smoothed picture, in pixels; some tenths of a pixel. <see cref="SaddlePointRefiner"/> does better.</summary>
         public Vector2D PositionPx { get; }
 
         /// <summary>Unit vector along the edge behind which, clockwise, it is dark. The opposite direction is the same edge.</summary>

@@ -6,7 +6,7 @@ namespace LaserTracking.Patterns
 {
     /// <summary>
     /// Finds saddle points of the brightness: peaks of minus the Hessian's determinant, placed where the smoothed picture is level,
-    /// and kept when a ring around them alternates twice and half a turn leaves it as it was. Works on one scale: squares of 9 px and
+    /// and kept when a ring around them alternates twice and half a turn leaves it as it was. Works on one scale: squares of 11 px and
     /// more, blur up to a third of a square. Not thread-safe; allocates nothing once warm.
     /// </summary>
     public sealed unsafe class SaddlePointFinder

@@ -82,10 +82,15 @@ namespace LaserTracking.Patterns
 
             mean /= Half;
             _even[Half] = _even[0];
-            double even = 0;
+            double even = 0, lowest = double.MaxValue, highest = 0;
             for (int i = 0; i < Half; i++)
+            {
                 even += (_even[i] - mean) * (_even[i] - mean);
-            if (!(even > 0) || !TryFindEdges(mean, out double angleA, out double angleB, out double contrast))
+                lowest = Math.Min(lowest, _even[i]);
+                highest = Math.Max(highest, _even[i]);
+            }
+
+            if (!(even > 0) || !TryFindEdges((lowest + highest) / 2, out double angleA, out double angleB, out double contrast))
                 return false;
             point = new SaddlePoint(
                 at,
@@ -96,15 +101,15 @@ namespace LaserTracking.Patterns
             return true;
         }
 
-        /// <summary>Where the half ring falls below its mean (A) and where it rises above it again (B), each exactly once.</summary>
-        private bool TryFindEdges(double mean, out double angleA, out double angleB, out double contrast)
+        /// <summary>Where the half ring falls through a level (A) and where it rises through it again (B), each exactly once.</summary>
+        private bool TryFindEdges(double middle, out double angleA, out double angleB, out double contrast)
         {
             angleA = angleB = contrast = 0;
             int falls = 0, rises = 0, lights = 0;
             double light = 0, dark = 0;
             for (int i = 0; i < Half; i++)
             {
-                double here = _even[i] - mean, next = _even[i + 1] - mean;
+                double here = _even[i] - middle, next = _even[i + 1] - middle;
                 if (here > 0)
                 {
                     light += here;

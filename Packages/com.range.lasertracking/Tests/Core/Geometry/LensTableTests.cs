@@ -42,6 +42,26 @@ namespace LaserTracking.Geometry
         }
 
         [Test]
+        public void LensTable_ManyAtOnce_AreTheSameAsOneByOne()
+        {
+            LensTable table = LensTable.Within(Camera);
+            var random = new Random(4);
+            var pixels = new Vector2D[5000];
+            for (int i = 0; i < pixels.Length; i++)
+                pixels[i] = new Vector2D(random.NextDouble() * 2000 - 40, random.NextDouble() * 1160 - 40);
+            pixels[7] = new Vector2D(double.NaN, 3);
+            pixels[8] = new Vector2D(3, double.NegativeInfinity);
+            var rays = new Vector2D[pixels.Length];
+            table.Rays(pixels, rays);
+            for (int i = 0; i < pixels.Length; i++)
+            {
+                bool isFound = table.TryRay(pixels[i], out Vector2D ray);
+                Assert.That(rays[i].IsFinite, Is.EqualTo(isFound));
+                Assert.That(!isFound || rays[i].Equals(ray), Is.True, pixels[i].ToString());
+            }
+        }
+
+        [Test]
         public void LensTable_LookingUp_AllocatesNothing()
         {
             LensTable table = LensTable.Within(Camera);

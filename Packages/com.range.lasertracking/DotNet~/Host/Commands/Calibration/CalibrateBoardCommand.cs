@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
 using LaserTracking.Calibration;
@@ -30,18 +31,18 @@ namespace LaserTracking.Host.Commands
                 output.Check(parsed, corners);
                 LensModel model = options.Model(parsed);
                 Board? board = options.Board(parsed);
+                IReadOnlyList<string> notes = Array.Empty<string>();
                 SeenBoards seen;
                 if (corners != null)
                 {
                     StoredCorners stored = StoredCorners.Open(corners, options.GivenSize(parsed), options.GivenSquareMm(parsed), board.Value);
                     seen = stored.Read(parsed.GetValue(side)!, options.ImageSize(parsed));
                     board = stored.Board;
-                    foreach (string note in stored.Notes)
-                        Console.Error.WriteLine("range: " + note);
+                    notes = stored.Notes;
                 }
                 else
                 {
-                    seen = BoardSearch.Run(PictureFile.Expand(patterns, "--images"), board.Value);
+                    seen = BoardSearch.Run(PictureFile.Expand(patterns, "--images"), board.Value, options.KeepsAll(parsed));
                 }
 
                 BoardView[] views = seen.Views.OfType<BoardView>().ToArray();
@@ -50,7 +51,7 @@ namespace LaserTracking.Host.Commands
                 double? heldOut = HeldOutError.OfCamera(found!.Views, seen.Width, seen.Height, model);
                 if (options.Pictures(parsed) is string folder)
                     BoardPictures.Write(folder, found, seen, board?.Size);
-                return output.Write(parsed, CalibrationReport.OfCamera(found, seen, options.ModelName(parsed), board, heldOut));
+                return output.Write(parsed, CalibrationReport.OfCamera(found, seen, options.ModelName(parsed), board, heldOut, notes));
             });
             return command;
         }

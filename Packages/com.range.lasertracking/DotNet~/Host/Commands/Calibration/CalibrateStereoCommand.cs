@@ -30,6 +30,7 @@ namespace LaserTracking.Host.Commands
                 output.Check(parsed, corners);
                 LensModel model = options.Model(parsed);
                 Board? board = options.Board(parsed);
+                IReadOnlyList<string> notes = Array.Empty<string>();
                 (SeenBoards Left, SeenBoards Right) seen;
                 if (corners != null)
                 {
@@ -38,12 +39,11 @@ namespace LaserTracking.Host.Commands
                         throw new InputException(corners, "holds views of one camera", "give a file with \"pairs\", or use './range calibrate board'");
                     seen = (stored.Read("left", options.ImageSize(parsed)), stored.Read("right", options.ImageSize(parsed)));
                     board = stored.Board;
-                    foreach (string note in stored.Notes)
-                        Console.Error.WriteLine("range: " + note);
+                    notes = stored.Notes;
                 }
                 else
                 {
-                    seen = Search(PictureFile.Expand(leftPatterns, "--left"), PictureFile.Expand(rightPatterns, "--right"), board.Value);
+                    seen = Search(PictureFile.Expand(leftPatterns, "--left"), PictureFile.Expand(rightPatterns, "--right"), board.Value, options.KeepsAll(parsed));
                 }
 
                 string source = corners ?? leftPatterns[0];
@@ -51,16 +51,16 @@ namespace LaserTracking.Host.Commands
                 double? heldOut = HeldOutError.OfPairs(session.Both.Pairs, session.Left.Camera, session.Right.Camera, model);
                 if (options.Pictures(parsed) is string folder)
                     BoardPictures.Write(folder, session.Both, seen.Left, seen.Right, board?.Size);
-                return output.Write(parsed, CalibrationReport.OfStereo(session.Left, session.Right, session.Both, session.Missing, options.ModelName(parsed), board, heldOut));
+                return output.Write(parsed, CalibrationReport.OfStereo(session.Left, session.Right, session.Both, session.Missing, options.ModelName(parsed), board, heldOut, notes));
             });
             return command;
         }
 
-        private static (SeenBoards Left, SeenBoards Right) Search(List<string> left, List<string> right, Board board)
+        private static (SeenBoards Left, SeenBoards Right) Search(List<string> left, List<string> right, Board board, bool keepsAll)
         {
             if (left.Count != right.Count)
                 throw new InputException("calibrate stereo", $"{left.Count} pictures of the left camera, {right.Count} of the right", "each picture needs its partner, in the same order");
-            return (BoardSearch.Run(left, board), BoardSearch.Run(right, board));
+            return (BoardSearch.Run(left, board, keepsAll), BoardSearch.Run(right, board, keepsAll));
         }
     }
 }
