@@ -3,6 +3,7 @@ using System.IO;
 using System.Linq;
 using LaserTracking.Geometry;
 using LaserTracking.Host;
+using LaserTracking.Imaging;
 using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 
@@ -46,14 +47,14 @@ namespace LaserTracking.Commands
         {
             using var folder = new TemporaryFolder();
             for (int i = 0; i < 4; i++)
-                Paint(folder.File($"view{i}.pgm"), 640, 480, i);
-            string pattern = Path.Combine(folder.Path, "view*.pgm"), result = folder.File("camera.json");
+                Paint(folder.File($"view{i}.jpg"), 320, 240, i);
+            string pattern = Path.Combine(folder.Path, "view*.jpg"), result = folder.File("camera.json");
             CommandLine.AssertRefused("corners found, 9×6 asked for", "calibrate", "board", "--images", pattern, "--board", "9x6", "--out", result);
             (int exitCode, _, string error) = CommandLine.Run("calibrate", "board", "--images", pattern, "--board", "7x5", "--square", "30", "--out", result, "--model", "radial2");
             Assert.That(exitCode, Is.EqualTo(ExitCodes.Done), error);
             Assert.That((double)JObject.Parse(File.ReadAllText(result))["rms_px"]!, Is.LessThan(0.2));
-            Paint(folder.File("view9.pgm"), 320, 240, 0);
-            CommandLine.AssertRefused("view9.pgm: is 320×240, view0.pgm is 640×480", "calibrate", "board", "--images", pattern, "--board", "7x5", "--out", result);
+            Paint(folder.File("view9.jpg"), 160, 120, 0);
+            CommandLine.AssertRefused("view9.jpg: is 160×120, view0.jpg is 320×240", "calibrate", "board", "--images", pattern, "--board", "7x5", "--out", result);
         }
 
         [Test]
@@ -61,12 +62,12 @@ namespace LaserTracking.Commands
         {
             using var folder = new TemporaryFolder();
             for (int i = 0; i < 6; i++)
-                Paint(folder.File($"view{i}.pgm"), 320, 240, i, i == 4 ? 7 : 1);
+                Paint(folder.File($"view{i}.jpg"), 320, 240, i, i == 4 ? 7 : 1);
             string result = folder.File("camera.json");
             string[] line = ["calibrate", "board", "--images", folder.Path, "--board", "7x5", "--square", "30", "--model", "radial2", "--out", result, "--replace"];
             (int exitCode, _, string error) = CommandLine.Run(line);
             Assert.That(exitCode, Is.EqualTo(ExitCodes.Done), error);
-            Assert.That(error, Does.Match("^range: view4.pgm: left out: blurred: its edges are [0-9.]+ px wide[^\n]*\n$"));
+            Assert.That(error, Does.Match("^range: view4.jpg: left out: blurred: its edges are [0-9.]+ px wide[^\n]*\n$"));
             Assert.That(JObject.Parse(File.ReadAllText(result))["per_view_rms_px"]!, Has.Count.EqualTo(5));
             Assert.That(CommandLine.Run([.. line, "--keep-all"]).Error, Is.Empty);
         }
@@ -137,9 +138,9 @@ namespace LaserTracking.Commands
         public void Stereo_UnequalNumbersOfPictures_AreRefused()
         {
             using var folder = new TemporaryFolder();
-            foreach (string name in new[] { "l1.pgm", "l2.pgm", "r1.pgm" })
+            foreach (string name in new[] { "l1.jpg", "l2.jpg", "r1.jpg" })
                 Paint(folder.File(name), 64, 48, 0);
-            CommandLine.AssertRefused("2 pictures of the left camera, 1 of the right", "calibrate", "stereo", "--left", folder.File("l*.pgm"), "--right", folder.File("r*.pgm"));
+            CommandLine.AssertRefused("2 pictures of the left camera, 1 of the right", "calibrate", "stereo", "--left", folder.File("l*.jpg"), "--right", folder.File("r*.jpg"));
         }
 
         private static string Simulate(TemporaryFolder folder)
@@ -159,8 +160,8 @@ namespace LaserTracking.Commands
             Vector3D x = turn * new Vector3D(1, 0, 0), y = turn * new Vector3D(0, 1, 0);
             double[] m = { focal * x.X + width / 2.0 * x.Z, focal * y.X + width / 2.0 * y.Z, focal * position.X + width / 2.0 * position.Z, focal * x.Y + height / 2.0 * x.Z, focal * y.Y + height / 2.0 * y.Z, focal * position.Y + height / 2.0 * position.Z, x.Z, y.Z, position.Z };
             Homography toBoard = new Homography(m).Inverse;
-            using FileStream file = File.Create(path);
-            file.Write(System.Text.Encoding.ASCII.GetBytes($"P5\n{width} {height}\n255\n"));
+            using var image = new Image();
+            image.Reset(PixelFormat.Gray8, width, height, 0);
             for (int row = 0; row < height; row++)
             for (int column = 0; column < width; column++)
             {
@@ -172,8 +173,10 @@ namespace LaserTracking.Commands
                     sum += isInside && ((int)(p.X / 30) + (int)(p.Y / 30)) % 2 == 0 ? 40 : 210;
                 }
 
-                file.WriteByte((byte)(sum / 16));
+                image.Bytes[row * image.Stride + column] = (byte)(sum / 16);
             }
+
+            File.WriteAllBytes(path, new JpegEncoder(quality: 98).Encode(image).ToArray());
         }
     }
 }

@@ -46,7 +46,7 @@ namespace LaserTracking.Host.Calibration
         /// <param name="path">The file.</param>
         /// <param name="size">Must agree with the file where both say it.</param>
         /// <param name="squareMm">Null: the file's own scale, or that of the published board.</param>
-        /// <param name="usualSquareMm">Used when neither says it.</param>
+        /// <param name="usual">Used when neither says it.</param>
         public static StoredCorners Open(string path, BoardSize? size, double? squareMm, Board usual)
         {
             JObject root = CalibrationJson.ReadFile(path);

@@ -117,6 +117,20 @@ namespace LaserTracking.Patterns
         }
 
         [Test]
+        public void CornerRefiner_StartNearTheCorner_EndsOnItWithoutKnowingItsEdges()
+        {
+            var truth = new Vector2D(40.37, 35.81);
+            DrawCrossing(truth, 0.5, 1.8, 60, 180);
+            var corner = new Vector2D(41.2, 35.1);
+            Assert.That(CornerRefiner.TryRefine(_picture, CornerRefiner.HalfWindow(30), ref corner), Is.True);
+            Assert.That((corner - truth).Length, Is.LessThan(0.1));
+            var outside = new Vector2D(2, 35);
+            Assert.That(CornerRefiner.TryRefine(_picture, 5, ref outside), Is.False);
+            _picture.Bytes.Fill(100);
+            Assert.That(CornerRefiner.TryRefine(_picture, 5, ref corner), Is.False);
+        }
+
+        [Test]
         public void TryRefine_WithoutACorner_Refuses()
         {
             _picture.Reset(PixelFormat.Gray8, 80, 70, 0);
