@@ -14,6 +14,7 @@ namespace LaserTracking.Commands
         [Test]
         public void Pattern_ItsOwnPicturesAsCamera_GiveTheExactMapping()
         {
+            NeedFfmpeg();
             using var folder = new TemporaryFolder();
             string pattern = folder.File("pattern"), result = folder.File("screen.json"), map = folder.File("map.png");
             Assert.That(CommandLine.Run("calibrate", "pattern", "--out", pattern, "--size", "960x540").ExitCode, Is.EqualTo(ExitCodes.Done));
@@ -40,6 +41,7 @@ namespace LaserTracking.Commands
         [Test]
         public void Screen_SinglePicture_IsProvenWithPartOfItself()
         {
+            NeedFfmpeg();
             using var folder = new TemporaryFolder();
             CommandLine.Run("calibrate", "pattern", "--out", folder.Path, "--size", "800x600");
             (int code, string output, string error) = CommandLine.Run("calibrate", "screen", "--size", "2x1.5", "--out", folder.File("screen.json"), "--image", folder.File("pattern-3.png"));
@@ -112,6 +114,13 @@ namespace LaserTracking.Commands
             using var folder = new TemporaryFolder();
             CommandLine.AssertRefused("--size", "calibrate", "pattern", "--out", folder.Path, "--size", size);
             Assert.That(Directory.GetFiles(folder.Path), Is.Empty);
+        }
+
+        /// <summary>PNG pictures are read by it.</summary>
+        private static void NeedFfmpeg()
+        {
+            if (Prerequisites.Locate("ffmpeg") == null)
+                Assert.Ignore("ffmpeg is not installed");
         }
 
         private static string[] Pictures(string folder) => Enumerable.Range(1, 4).Select(i => Path.Combine(folder, $"pattern-{i}.png")).ToArray();

@@ -51,7 +51,7 @@ namespace LaserTracking.Host.Calibration
 
             PointErrors all = found.Errors(true, inMm: true), px = found.Errors(true, inMm: false);
             canvas.Text(Margin, 10, FormattableString.Invariant($"{(found.IsAccepted ? "accepted" : "REFUSED")}: {all.Count} held-out points, median {all.Median:F2} mm ({px.Median:F3} px), 95 % {all.P95:F2} mm, worst {all.Max:F2} mm"), found.IsAccepted ? Palette.Passed : Palette.Failed);
-            canvas.Text(Margin, 36, FormattableString.Invariant($"limit {limitMm} mm; in each part: median / worst; strokes: {full:0.###} mm is a third of a cell"), Palette.Quiet);
+            canvas.Text(Margin, 36, FormattableString.Invariant($"limit {limitMm} mm; in each part: median / worst, points; strokes: {full:0.###} mm is a third of a cell"), Palette.Quiet);
             Legend(canvas, Head + height + 14, limitMm);
             return canvas;
         }
@@ -61,15 +61,13 @@ namespace LaserTracking.Host.Calibration
             for (int i = 0; i < found.Regions.Length; i++)
             {
                 ScreenRegion region = found.Regions[i];
-                int x = Margin + i % ScreenRegion.Across * width / ScreenRegion.Across + 10, y = Head + i / ScreenRegion.Across * height / ScreenRegion.Down + 8;
+                int x = Margin + i % ScreenRegion.Across * width / ScreenRegion.Across + 10, y = Head + i / ScreenRegion.Across * height / ScreenRegion.Down + 10;
                 bool isOver = region.HeldOutMm.Max > limitMm;
                 string text = region.HeldOutMm.Count == 0
                     ? "nothing held out"
                     : FormattableString.Invariant($"{region.HeldOutMm.Median:F2} / {region.HeldOutMm.Max:F2} mm");
-                string counts = FormattableString.Invariant($"{region.Measured} of {region.Projected} points");
-                canvas.Fill(x - 4, y - 3, 12 * Math.Max(text.Length, counts.Length) + 8, 48, Palette.Background);
-                canvas.Text(x, y, text, isOver ? Palette.Failed : Palette.Text);
-                canvas.Text(x, y + 22, counts, Palette.Quiet);
+                int end = canvas.Text(x, y, text, isOver ? Palette.Failed : Palette.Text);
+                canvas.Text(end + 14, y, FormattableString.Invariant($"{region.Measured} of {region.Projected}"), Palette.Quiet);
             }
         }
 

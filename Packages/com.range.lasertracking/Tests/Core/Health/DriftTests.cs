@@ -22,19 +22,19 @@ namespace LaserTracking.Health
         public void PictureMonitor_BumpWhileThePictureSwitches_IsSaidOnceWithItsWay(int x, int y, string way)
         {
             MonitorRun run = Known(Screen);
-            run.Play(0, 400, (b, i) => Draw(b, i, i < 90 ? 0 : x, i < 90 ? 0 : y));
+            run.Play(0, 160, (b, i) => Draw(b, i, i < 60 ? 0 : x, i < 60 ? 0 : y));
             HealthEvent[] moved = Moved(run);
             Assert.That(moved, Has.Length.EqualTo(1), string.Join("; ", run.Said.Select(h => h.Text)));
             Assert.That(moved[0].Value, Is.EqualTo(new Vector2D(x, y).Length).Within(0.4));
             Assert.That(moved[0].Text, Does.Contain(" px " + way + " (").And.Contain("calibrate again"));
-            Assert.That(moved[0].TimeUs, Is.LessThan((90 * run.IntervalUs) + 5_000_000), "within five seconds");
+            Assert.That(moved[0].TimeUs, Is.LessThan((60 * run.IntervalUs) + 5_000_000), "within five seconds");
         }
 
         [Test]
         public void PictureMonitor_PictureThatSwitchesAndPans_IsNoMovement()
         {
             MonitorRun run = Known(Screen);
-            run.Play(0, 600, (b, i) => Draw(b, i, 0, 0));
+            run.Play(0, 240, (b, i) => Draw(b, i, 0, 0));
             Assert.That(Moved(run), Is.Empty);
         }
 
@@ -42,11 +42,11 @@ namespace LaserTracking.Health
         public void PictureMonitor_PersonBeforeAnEdge_IsNoMovement()
         {
             MonitorRun run = Known(Screen);
-            run.Play(0, 400, (b, i) =>
+            run.Play(0, 200, (b, i) =>
             {
                 Draw(b, i, 0, 0);
-                if (i > 60)
-                    b.Box(100 + i / 8 % 60, 80, 50, 160, 25, 35, 45);
+                if (i > 30)
+                    b.Box(100 + i / 4 % 60, 80, 50, 160, 25, 35, 45);
             });
             Assert.That(Moved(run), Is.Empty);
         }
@@ -55,7 +55,7 @@ namespace LaserTracking.Health
         public void PictureMonitor_SecondBump_IsSaidToo()
         {
             MonitorRun run = Known(Screen);
-            run.Play(0, 600, (b, i) => Draw(b, i, i < 60 ? 0 : i < 330 ? 3 : 8, 0));
+            run.Play(0, 260, (b, i) => Draw(b, i, i < 30 ? 0 : i < 150 ? 3 : 8, 0));
             Assert.That(Moved(run).Select(h => Math.Round(h.Value)), Is.EqualTo(new[] { 3, 8 }));
         }
 
@@ -63,12 +63,12 @@ namespace LaserTracking.Health
         public void PictureMonitor_KnownScreen_WarmFramesAllocateNothing()
         {
             MonitorRun run = Known(Screen);
-            run.Play(0, 60, (b, i) => Draw(b, i, 0, 0));
-            int next = 60;
+            run.Play(0, 30, (b, i) => Draw(b, i, 0, 0));
+            int next = 30;
             Assert.That(Allocation.Of(() =>
             {
-                run.Play(next, 60, (b, i) => MonitorRun.Room(b));
-                next += 60;
+                run.Play(next, 24, (b, i) => Draw(b, i, i % 3, 0));
+                next += 24;
             }), Is.EqualTo(0));
         }
 
@@ -78,7 +78,7 @@ namespace LaserTracking.Health
         public void PictureMonitor_ScreenLargerThanThePictureOrBesideIt_SaysNothingOfIt(int x, int y)
         {
             MonitorRun run = Known(new[] { new Vector2D(x - 50, y - 50), new Vector2D(x + 370, y - 50), new Vector2D(x + 370, y + 290), new Vector2D(x - 50, y + 290) });
-            run.Play(0, 90, (b, i) => MonitorRun.Room(b));
+            run.Play(0, 45, (b, i) => MonitorRun.Room(b));
             Assert.That(Moved(run), Is.Empty);
         }
 
@@ -114,7 +114,7 @@ namespace LaserTracking.Health
 
         private static MonitorRun Known(Vector2D[] screen)
         {
-            var run = new MonitorRun();
+            var run = new MonitorRun(framesPerSecond: 15);
             run.Monitor.SetScreenPolygon(screen);
             return run;
         }
@@ -125,12 +125,12 @@ namespace LaserTracking.Health
         private static void Draw(FrameBuilder builder, int frame, int x, int y)
         {
             builder.Wall(40, 50, 45);
-            int scene = frame / 45 % 4;
+            int scene = frame / 22 % 4;
             float level = scene == 0 ? 150 : scene == 1 ? 90 : scene == 2 ? 220 : 120;
             builder.Box(70 + x, 60 + y, 180, 120, level, level, level);
             for (int i = 0; i < 6 && scene != 2; i++)
             {
-                int left = 80 + i * 29 + (scene == 1 ? frame / 6 % 20 : 0);
+                int left = 80 + i * 29 + (scene == 1 ? frame / 3 % 20 : 0);
                 builder.Box(left + x, 70 + i % 3 * 35 + y, 18, 25, 255 - level, 200 - level / 2, 250 - level);
             }
         }

@@ -30,10 +30,10 @@ namespace LaserTracking.Host.Studies.Calibration
             var table = new StudyTable($"Automatic calibration of the screen, rooms {options.FirstSeed}..{options.LastSeed}, limit {LimitMm} mm", "rooms", "number",
                 "accepted", "of these truly within the limit", "refused", "of these rightly", "held-out px", "held-out mm", "true mm");
             Add(table, options, "all", results);
-            Add(table, options, "nobody in front, not bumped, in focus", results.Where(r => !r.Room.HasPerson && !r.Room.IsBumped && !r.Room.IsBlurred));
-            Add(table, options, "person in front", results.Where(r => r.Room.HasPerson && !r.Room.IsBumped));
-            Add(table, options, "out of focus", results.Where(r => r.Room.IsBlurred && !r.Room.IsBumped));
-            Add(table, options, "bumped during the capture", results.Where(r => r.Room.IsBumped));
+            Add(table, options, "nobody in front, not bumped, in focus", results.Where(r => !r.HasPerson && !r.IsBumped && !r.IsBlurred));
+            Add(table, options, "person in front", results.Where(r => r.HasPerson && !r.IsBumped));
+            Add(table, options, "out of focus", results.Where(r => r.IsBlurred && !r.IsBumped));
+            Add(table, options, "bumped during the capture", results.Where(r => r.IsBumped));
             table.Notes.Add("Errors: median / 95th percentile / worst over all points of all accepted rooms. Held out: points of the second pattern, as reported. True: a grid over all of the screen that the camera sees, against the simulation's exact geometry.");
             table.Notes.Add("A refusal is right when the fit was truly over the limit somewhere, when the camera was bumped, or when there was no fit.");
             foreach (Result wrong in results.Where(r => r.IsAccepted != r.ShouldBeAccepted))
@@ -46,7 +46,7 @@ namespace LaserTracking.Host.Studies.Calibration
             var room = new CalibrationRoom(seed);
             ScreenCalibration calibration = new ScreenCalibrator(room.Range.Scene.ScreenSizeM, LimitMm).Calibrate(room.Look());
             double[] errors = calibration.Screen == null ? [] : TrueErrors(calibration.Screen, room);
-            return new Result(seed, room, calibration, errors);
+            return new Result(seed, room.HasPerson, room.IsBumped, room.IsBlurred, calibration, errors);
         }
 
         /// <summary>Over the part of the screen that lies in the picture, after whatever bumps there were, mm.</summary>
@@ -82,13 +82,13 @@ namespace LaserTracking.Host.Studies.Calibration
             return errors.Count == 0 ? "–" : FormattableString.Invariant($"{errors.Median:F3} / {errors.P95:F3} / {errors.Max:F3}");
         }
 
-        private sealed record Result(int Seed, CalibrationRoom Room, ScreenCalibration Calibration, double[] Errors)
+        private sealed record Result(int Seed, bool HasPerson, bool IsBumped, bool IsBlurred, ScreenCalibration Calibration, double[] Errors)
         {
             public bool IsAccepted => Calibration.IsAccepted;
 
             public double TrueMax => Errors.Length == 0 ? double.PositiveInfinity : Errors.Max();
 
-            public bool ShouldBeAccepted => !Room.IsBumped && TrueMax <= LimitMm;
+            public bool ShouldBeAccepted => !IsBumped && TrueMax <= LimitMm;
 
             public IEnumerable<ScreenCheckPoint> HeldOut => Calibration.Points.Where(p => p.IsHeldOut && !p.IsLeftOut);
         }
