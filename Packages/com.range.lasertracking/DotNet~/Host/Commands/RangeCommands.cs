@@ -15,6 +15,8 @@ namespace LaserTracking.Host.Commands
                 ExtractCommand.Create(),
                 ExplainCommand.Create(),
                 ScoreCommand.Create(),
+                TrackCommand.Create(),
+                ScoreTracksCommand.Create(),
                 CalibrateCommand.Create(),
                 HandsCommand.Create(),
                 ModelsCommand.Create(),
