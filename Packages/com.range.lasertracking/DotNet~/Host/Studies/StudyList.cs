@@ -23,6 +23,7 @@ namespace LaserTracking.Host.Studies
             new ColorStudy(),
             new StaticStudy(),
             new FrameRateStudy(),
+            new RemoteFloodStudy(),
         };
     }
 }

@@ -27,9 +27,14 @@ namespace LaserTracking.Remote
 
         private static bool Wait(Func<bool> condition)
         {
-            for (int waited = 0; waited < PatienceMs && !condition(); waited++)
+            for (int waited = 0; waited < PatienceMs; waited++)
+            {
+                if (condition())
+                    return true;
                 Thread.Sleep(1);
-            return condition();
+            }
+
+            return false;
         }
 
         [Test]
