@@ -80,6 +80,8 @@ namespace LaserTracking.Host.Commands
 
         private static int Report(RemoteSender sender, string what)
         {
+            // What still waits is sent now; only then is it known what became of it.
+            sender.Dispose();
             Console.WriteLine(what);
             if (sender.FailedPackets + sender.LostShots == 0)
                 return ExitCodes.Done;

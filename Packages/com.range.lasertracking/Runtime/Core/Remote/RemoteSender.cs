@@ -102,7 +102,7 @@ namespace LaserTracking.Remote
             }
         }
 
-        /// <summary>Sends what still waits, which takes some 60 ms, and ends.</summary>
+        /// <summary>Sends what still waits, which takes some 60 ms, and ends. May be called again.</summary>
         public void Dispose()
         {
             lock (_lock)
