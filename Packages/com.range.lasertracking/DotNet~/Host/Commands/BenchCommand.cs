@@ -66,11 +66,11 @@ namespace LaserTracking.Host.Commands
             Console.WriteLine(ProcessorName() + ", one thread");
             Console.WriteLine($"{"name",-20} {"median ms",10} {"p95 ms",10} {"bytes/op",9}  what");
             foreach (BenchmarkResult r in results)
-                Console.WriteLine(FormattableString.Invariant($"{r.Name,-20} {r.MedianMs,10:F3} {r.P95Ms,10:F3} {r.AllocatedBytesPerOperation,9}  {r.What}"));
+                Console.WriteLine(FormattableString.Invariant($"{r.Name,-20} {r.MedianMs,10:F4} {r.P95Ms,10:F4} {r.AllocatedBytesPerOperation,9}  {r.What}"));
             foreach (PeerResult r in peer ?? Array.Empty<PeerResult>())
             {
                 string ratios = string.Join(", ", r.Ratio.Select(pair => FormattableString.Invariant($"{pair.Value:F1} × {pair.Key}")));
-                Console.WriteLine(FormattableString.Invariant($"{"peer " + r.Name,-20} {r.MedianMs,10:F3} {r.P95Ms,10:F3} {"",9}  OpenCV, {r.Variant}: {ratios}"));
+                Console.WriteLine(FormattableString.Invariant($"{"peer " + r.Name,-20} {r.MedianMs,10:F4} {r.P95Ms,10:F4} {"",9}  OpenCV, {r.Variant}: {ratios}"));
             }
         }
 

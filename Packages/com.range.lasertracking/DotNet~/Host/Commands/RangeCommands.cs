@@ -16,6 +16,8 @@ namespace LaserTracking.Host.Commands
                 ExtractCommand.Create(),
                 ExplainCommand.Create(),
                 ScoreCommand.Create(),
+                TrackCommand.Create(),
+                ScoreTracksCommand.Create(),
                 CalibrateCommand.Create(),
                 StudyCommand.Create(),
                 TrainCommand.Create(),

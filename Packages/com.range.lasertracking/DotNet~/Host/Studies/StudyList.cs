@@ -3,6 +3,7 @@ using LaserTracking.Host.Studies.Clips;
 using LaserTracking.Host.Studies.Measuring;
 using LaserTracking.Host.Studies.Simulated;
 using LaserTracking.Host.Studies.Dual;
+using LaserTracking.Host.Studies.Tracks;
 
 namespace LaserTracking.Host.Studies
 {
@@ -23,6 +24,9 @@ namespace LaserTracking.Host.Studies
             new ColorStudy(),
             new StaticStudy(),
             new FrameRateStudy(),
+            new DotTracksStudy(),
+            new Calibration.ScreenCalibrationStudy(),
+            new Calibration.BoardStudy(),
             new RemoteFloodStudy(),
         };
     }

@@ -6,7 +6,9 @@ namespace LaserTracking.Tracking
     /// <summary>What is known of one flash: where and when it began, what was last seen, whether it has been reported.</summary>
     internal struct DotTrack
     {
+        /// <summary>The laser's number, that of the last dot; 0: too many to tell apart.</summary>
         public int Id;
+
         public Dot First;
         public int FirstFrame;
         public long FirstTimeUs;

@@ -7,7 +7,8 @@ namespace LaserTracking.Tracking
     /// <summary>
     /// Makes shots of dots: one flash is one shot however many frames it lasts; a dot that stays on is one shot and from then on only
     /// a tracked dot. A conclusive dot is reported in its first frame; another one waits until it vanishes sharply or begins anew
-    /// nearby. Works for any detector. One thread at a time; allocates nothing once constructed. Read the spans before the next call.
+    /// nearby. Works for any detector. The dots' numbers are those of <see cref="DotTracker"/>, which does not decide what is a shot. One
+    /// thread at a time; allocates nothing once constructed. Read the spans before the next call.
     /// </summary>
     public sealed class ShotTracker
     {
@@ -26,12 +27,14 @@ namespace LaserTracking.Tracking
         private readonly TrackedDot[] _dots = new TrackedDot[MaxTracks];
         private readonly RejectedCandidate[] _rejected = new RejectedCandidate[2 * MaxTracks];
         private readonly bool[] _taken = new bool[MaxTracks];
+        private readonly DotTracker _lasers;
+        private readonly Vector2D[] _places = new Vector2D[MaxTracks];
+        private readonly int[] _laserOfDot = new int[MaxTracks];
         private int _trackCount;
         private int _shotCount;
         private int _dotCount;
         private int _rejectedCount;
         private int _lastShotId;
-        private int _lastTrackId;
         private long _previousTimeUs;
         private int _previousFrame;
         private long _intervalUs;
@@ -43,6 +46,9 @@ namespace LaserTracking.Tracking
         {
             _settings = settings?.Clone() ?? new ShotTrackerSettings();
             _settings.Validate();
+
+            // Every dot here has passed the detector's judgement.
+            _lasers = new DotTracker(new DotTrackerSettings { MinHits = 1, JumpRadiusPx = _settings.LinkRadiusPx });
             _origin = new LightOrigin(_settings.Timing, _settings.HandSpeedPxPerS);
             Reset();
         }
@@ -76,7 +82,8 @@ namespace LaserTracking.Tracking
         public void Reset()
         {
             _trackCount = _shotCount = _dotCount = _rejectedCount = 0;
-            _lastShotId = _lastTrackId = 0;
+            _lastShotId = 0;
+            _lasers.Reset();
             _previousTimeUs = long.MinValue;
             _previousFrame = -1;
             _intervalUs = 0;
@@ -92,12 +99,13 @@ namespace LaserTracking.Tracking
             _scale = detections.ImageWidthPx > 0 ? detections.ImageWidthPx / 640.0 : 1;
             for (int i = 0; i < _trackCount; i++)
                 _tracks[i].IsSeen = false;
+            NumberDots(detections);
             MatchNearestFirst(detections);
             ReadOnlySpan<Dot> dots = detections.Dots;
             for (int i = 0; i < dots.Length && i < MaxTracks; i++)
             {
                 if (!_taken[i])
-                    Begin(dots[i], detections);
+                    Begin(dots[i], _laserOfDot[i], detections);
             }
 
             SettleUnseen(detections);
@@ -117,6 +125,14 @@ namespace LaserTracking.Tracking
             }
 
             _trackCount = 0;
+        }
+
+        private void NumberDots(Detections detections)
+        {
+            int count = Math.Min(detections.Dots.Length, MaxTracks);
+            for (int i = 0; i < count; i++)
+                _places[i] = detections.Dots[i].PositionPx;
+            _lasers.Process(detections.TimeUs, new ReadOnlySpan<Vector2D>(_places, 0, count), 640 * _scale, _laserOfDot);
         }
 
         /// <summary>Links dots to tracks by the least distance of all pairs, again and again: few of both, and no order matters.</summary>
@@ -148,18 +164,19 @@ namespace LaserTracking.Tracking
                 if (bestDot < 0)
                     return;
                 _taken[bestDot] = true;
-                Continue(ref _tracks[bestTrack], dots[bestDot], detections);
+                Continue(ref _tracks[bestTrack], dots[bestDot], _laserOfDot[bestDot], detections);
             }
         }
 
-        private void Continue(ref DotTrack track, in Dot dot, Detections detections)
+        private void Continue(ref DotTrack track, in Dot dot, int laser, Detections detections)
         {
+            track.Id = laser;
             bool isTap = track.IsReported && dot.IsOnset && detections.FrameIndex - track.LastFrame >= 2
                 && detections.TimeUs - track.LastTimeUs >= _settings.MinTapGapUs && !IsHeld(track);
             if (isTap)
             {
-                // The old flash ended in the dark frame between; the laser stays the same one, so the track keeps its number.
-                track = NewTrack(dot, detections, track.Id);
+                // The old flash ended in the dark frame between.
+                track = NewTrack(dot, detections, laser);
             }
             else
             {
@@ -180,7 +197,7 @@ namespace LaserTracking.Tracking
                 _dots[_dotCount++] = new TrackedDot(track.Id, dot);
         }
 
-        private void Begin(in Dot dot, Detections detections)
+        private void Begin(in Dot dot, int laser, Detections detections)
         {
             if (_trackCount == MaxTracks)
             {
@@ -189,7 +206,7 @@ namespace LaserTracking.Tracking
             }
 
             ref DotTrack track = ref _tracks[_trackCount++];
-            track = NewTrack(dot, detections, ++_lastTrackId);
+            track = NewTrack(dot, detections, laser);
             track.IsSeen = true;
             if (!dot.IsConclusive)
                 return;

@@ -122,6 +122,31 @@ namespace LaserTracking.Tracking
         }
 
         [Test]
+        public void Process_HeldDotsThatCross_KeepTheirNumbersAndAreNoNewShots()
+        {
+            Frame(0);
+            for (int frame = 1; frame < 40; frame++)
+            {
+                Dot right = Dot(100 + 4 * frame, 100, true, frame == 1), left = Dot(258 - 4 * frame, 102, true, frame == 1);
+                Frame(frame, frame % 2 == 0 ? new[] { left, right } : new[] { right, left });
+                Assert.That(_tracker.Shots.Length, Is.EqualTo(frame == 1 ? 2 : 0));
+                foreach (TrackedDot dot in _tracker.Dots)
+                    Assert.That(dot.TrackId, Is.EqualTo(dot.Dot.PositionPx.Y < 101 ? 1 : 2), "frame " + frame);
+            }
+        }
+
+        [Test]
+        public void Process_HeldDotThatJerks_KeepsTheNumberOfItsShot()
+        {
+            Frame(0);
+            for (int frame = 1; frame < 20; frame++)
+            {
+                Frame(frame, Dot(frame < 10 ? 100 : 130, 100, true, frame == 1));
+                Assert.That(_tracker.Dots[0].TrackId, Is.EqualTo(1), "frame " + frame);
+            }
+        }
+
+        [Test]
         public void Finish_WaitingDot_IsNotConfirmed()
         {
             Frame(0);
