@@ -11,6 +11,7 @@ namespace LaserTracking.Host.Commands
             {
                 DemoCommand.Create(),
                 ReplayCommand.Create(),
+                SendCommand.Create(),
                 InfoCommand.Create(),
                 ExtractCommand.Create(),
                 ExplainCommand.Create(),

@@ -7,9 +7,11 @@ using LaserTracking.Capture;
 using LaserTracking.Geometry;
 using LaserTracking.Hands.Model;
 using LaserTracking.Host.HandModels;
+using LaserTracking.Host.Remote;
 using LaserTracking.Host.Scenes;
 using LaserTracking.Host.Sessions;
 using LaserTracking.Host.Sources;
+using LaserTracking.Remote;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
 using LaserTracking.Tracking;
@@ -34,9 +36,11 @@ namespace LaserTracking.Host.Commands
             var dots = new Option<string?>("--dots") { HelpName = "FILE", Description = "Writes every tracked dot in every frame there." };
             var report = new Option<string?>("--report") { HelpName = "DIR", Description = "Writes report.html into this folder." };
             var paced = new Option<bool>("--paced") { Description = "Runs at the recording's own speed." };
+            var send = new Option<string?>("--send") { HelpName = "HOST:PORT", Description = "Sends shots and hands to a remote input as they are found; usually with --paced." };
+            var keyFile = new Option<string?>("--key-file") { HelpName = "FILE", Description = "The key for --send." };
             var exposure = new Option<double>("--exposure-us") { HelpName = "US", Description = "The camera's shutter, microseconds: narrows the uncertainty of time and place, and what is said about the picture." };
             var row = new Option<double>("--row-us") { HelpName = "US", Description = "Rolling shutter: delay from one row to the next, microseconds." };
-            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, handModel, calibration, scene, rendered, detector, events, rejected, dots, report, paced, exposure, row };
+            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, handModel, calibration, scene, rendered, detector, events, rejected, dots, report, paced, send, keyFile, exposure, row };
             command.SetAction((parsed, interrupted) =>
             {
                 RangeSession.CreateDetector(parsed.GetValue(detector)!);
@@ -59,6 +63,8 @@ namespace LaserTracking.Host.Commands
                 if (parsed.GetValue(handModel) != null && handName == null)
                     throw new InputException("--hand-model", "there is no second camera to look at hands with", "add --hand FILE");
                 using HandLandmarkNetwork? hands = HandModelStore.TryOpen(parsed.GetValue(handModel), out string handModelProblem);
+                string? sendTo = parsed.GetValue(send), key = parsed.GetValue(keyFile);
+                using RemoteSender? sender = sendTo == null ? null : SendTarget.Open("--send", sendTo, key);
                 string problem = "";
                 using RenderedVideo? video = renderedName == null ? null : RenderedVideo.Open(renderedName, name, geometry!, interrupted, out problem);
                 IFrameSource screenFrames = FrameSources.OpenScreenCamera(name);
@@ -89,7 +95,7 @@ namespace LaserTracking.Host.Commands
                     CameraTiming = timing,
                     IsPaced = parsed.GetValue(paced),
                 };
-                var outputs = new SessionOutputs(parsed.GetValue(events), parsed.GetValue(dots), parsed.GetValue(report)) { Rejected = which };
+                var outputs = new SessionOutputs(parsed.GetValue(events), parsed.GetValue(dots), parsed.GetValue(report)) { Rejected = which, Listener = sender == null ? null : new RemoteEventSink(sender) };
                 return Task.FromResult(outputs.Run(plan, "Replay of " + name, interrupted));
             });
             return command;

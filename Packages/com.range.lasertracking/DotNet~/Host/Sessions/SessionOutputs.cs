@@ -29,6 +29,9 @@ namespace LaserTracking.Host.Sessions
         /// <summary>Which rejected candidates events.jsonl gets.</summary>
         public RejectedLines Rejected { get; init; }
 
+        /// <summary>Gets shots and hands too, as they are found; null: nobody.</summary>
+        public IEventSink? Listener { get; init; }
+
         /// <summary>What the last run found.</summary>
         public SessionRecorder Recorder { get; private set; } = new();
 
@@ -54,6 +57,8 @@ namespace LaserTracking.Host.Sessions
             if (dots != null)
                 sinks.Add(new JsonLinesSink(dots.Stream, EventTypes.Dots));
 
+            if (Listener != null)
+                sinks.Add(Listener);
             bool isComplete = RangeSession.Run(plan, new EventSinkGroup(sinks), interrupted, Recorder);
             report?.Stream.Write(Report(plan, title));
             events?.Commit();

@@ -27,6 +27,7 @@ namespace LaserTracking.Host.Studies
             new DotTracksStudy(),
             new Calibration.ScreenCalibrationStudy(),
             new Calibration.BoardStudy(),
+            new RemoteFloodStudy(),
         };
     }
 }

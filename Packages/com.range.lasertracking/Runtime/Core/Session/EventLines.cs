@@ -51,7 +51,15 @@ namespace LaserTracking.Session
 
         public static void Shot(Utf8JsonLineWriter json, in ShotEvent e)
         {
-            Begin(json, "shot");
+            json.BeginObject();
+            ShotMembers(json, e);
+            End(json);
+        }
+
+        /// <summary>The members of a shot's object, its type first.</summary>
+        public static void ShotMembers(Utf8JsonLineWriter json, in ShotEvent e)
+        {
+            Member(json, "type", "shot");
             Member(json, "id", e.Shot.Id);
             Member(json, "frame", e.Shot.FrameIndex);
             Member(json, "first_frame", e.Shot.FirstFrameIndex);
@@ -82,7 +90,6 @@ namespace LaserTracking.Session
                 Hit(json, e.Hit);
             else
                 json.Null();
-            End(json);
         }
 
         public static void Dot(Utf8JsonLineWriter json, in DotEvent e)
@@ -100,7 +107,15 @@ namespace LaserTracking.Session
 
         public static void Hand(Utf8JsonLineWriter json, in HandEvent e)
         {
-            Begin(json, "hand");
+            json.BeginObject();
+            HandMembers(json, e);
+            End(json);
+        }
+
+        /// <summary>The members of a hand's object, its type first.</summary>
+        public static void HandMembers(Utf8JsonLineWriter json, in HandEvent e)
+        {
+            Member(json, "type", "hand");
             Member(json, "frame", e.FrameIndex);
             Member(json, "time_us", e.TimeUs);
             Hand(json, e.Side);
@@ -110,7 +125,6 @@ namespace LaserTracking.Session
             json.Vector(e.MuzzleM, MetreDecimals);
             Member(json, "depth_source", EventWords.Of(e.DepthSource));
             Member(json, "track", e.TrackId);
-            End(json);
         }
 
         public static void Rejected(Utf8JsonLineWriter json, in RejectedEvent e)

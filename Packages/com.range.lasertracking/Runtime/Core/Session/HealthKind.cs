@@ -41,5 +41,8 @@ namespace LaserTracking.Session
 
         /// <summary>The expected view of the rendered pictures begins or ceases to be relied on. Value: delay from drawing to seeing, s.</summary>
         Rendered = 12,
+
+        /// <summary>Packets for the remote input were dropped; the text says why. Value: how many for this reason until then.</summary>
+        Remote = 13,
     }
 }

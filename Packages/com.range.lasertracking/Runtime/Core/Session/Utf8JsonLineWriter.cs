@@ -58,6 +58,8 @@ namespace LaserTracking.Session
 
         public void Null() => Word("null");
 
+        public void True() => Word("true");
+
         public void Number(long value)
         {
             Separate();

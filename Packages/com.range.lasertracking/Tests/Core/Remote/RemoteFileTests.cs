@@ -1,0 +1,105 @@
+using System;
+using System.IO;
+using System.Threading;
+using NUnit.Framework;
+
+namespace LaserTracking.Remote
+{
+    public sealed class RemoteFileTests
+    {
+        private const int PatienceMs = 5000;
+
+        private string _folder = "";
+        private string _path = "";
+
+        [SetUp]
+        public void SetUp()
+        {
+            _folder = Path.Combine(Path.GetTempPath(), "remote-file-" + Guid.NewGuid().ToString("N"));
+            Directory.CreateDirectory(_folder);
+            _path = Path.Combine(_folder, "detector.json");
+        }
+
+        [TearDown]
+        public void TearDown() => Directory.Delete(_folder, true);
+
+        private RemoteFileReceiver Watch() => new RemoteFileReceiver(_path, new RemoteSettings(), new WallClock());
+
+        private static bool Wait(Func<bool> condition)
+        {
+            for (int waited = 0; waited < PatienceMs; waited++)
+            {
+                if (condition())
+                    return true;
+                Thread.Sleep(1);
+            }
+
+            return false;
+        }
+
+        [Test]
+        public void File_ReplacedAgainAndAgain_GivesTheNewestPose()
+        {
+            using (RemoteFileReceiver receiver = Watch())
+            {
+                for (int i = 1; i <= 3; i++)
+                {
+                    RemoteFile.Write(_path, RemoteExamples.Bytes("{\n \"timestamp\": " + i + ",\n \"target\": [1, 2, " + i + "]\n}\n"));
+                    int expected = i;
+                    Assert.That(Wait(() => receiver.Inbox.TryGetPose(out RemotePose pose) && pose.Target.Z == expected), Is.True);
+                }
+
+                Assert.That(Directory.GetFiles(_folder), Has.Length.EqualTo(1));
+                Assert.That(receiver.Inbox.TryTakeHealth(out _), Is.False);
+            }
+        }
+
+        [Test]
+        public void File_WithShotsSeenBefore_GivesTheNewOnes()
+        {
+            long nowUs = new WallClock().NowUs;
+            using (RemoteFileReceiver receiver = Watch())
+            {
+                RemoteFile.Write(_path, RemoteExamples.Bytes(RemoteExamples.Shot(1, 1, nowUs) + "\n"));
+                Assert.That(Wait(() => receiver.Inbox.TryTakeShot(out RemoteShot shot) && shot.Event.Shot.Id == 1), Is.True);
+                nowUs = new WallClock().NowUs;
+                RemoteFile.Write(_path, RemoteExamples.Bytes(RemoteExamples.Shot(1, 1, nowUs - 200_000) + "\n" + RemoteExamples.Shot(2, 2, nowUs) + "\n" + RemoteExamples.Shot(3, 3, nowUs)));
+                Assert.That(Wait(() => receiver.Inbox.TryTakeShot(out RemoteShot shot) && shot.Event.Shot.Id == 2), Is.True);
+                Assert.That(Wait(() => receiver.Inbox.TryTakeShot(out RemoteShot shot) && shot.Event.Shot.Id == 3), Is.True);
+                Assert.That(receiver.Inbox.TryTakeShot(out _), Is.False);
+            }
+        }
+
+        [Test]
+        public void File_WithOneBrokenLine_CountsNotAtAllAndIsToldOnce()
+        {
+            using (RemoteFileReceiver receiver = Watch())
+            {
+                RemoteFile.Write(_path, RemoteExamples.Bytes(RemoteExamples.Published + "\n{\"timestamp\":2,\"tar"));
+                Assert.That(Wait(() => receiver.Inbox.Dropped(RemoteDrop.NotJson) == 1), Is.True);
+                Assert.That(receiver.Inbox.TryGetPose(out _), Is.False);
+                RemoteFile.Write(_path, RemoteExamples.Bytes(RemoteExamples.Published));
+                Assert.That(Wait(() => receiver.Inbox.TryGetPose(out _)), Is.True, "a good one comes through again");
+                Assert.That(receiver.Inbox.Dropped(RemoteDrop.NotJson), Is.EqualTo(1));
+            }
+        }
+
+        [Test]
+        public void File_OfYesterday_IsStale()
+        {
+            File.WriteAllText(_path, RemoteExamples.Published);
+            File.SetLastWriteTimeUtc(_path, DateTime.UtcNow.AddDays(-1));
+            using (RemoteFileReceiver receiver = Watch())
+            {
+                Assert.That(Wait(() => receiver.Inbox.Dropped(RemoteDrop.Stale) == 1), Is.True);
+                Assert.That(receiver.Inbox.TryGetPose(out _), Is.False);
+            }
+        }
+
+        [Test]
+        public void File_InAFolderThatIsNotThere_CannotBeWritten()
+        {
+            Assert.Throws<InputException>(() => RemoteFile.Write(Path.Combine(_folder, "no", "a.json"), new byte[1]));
+        }
+    }
+}

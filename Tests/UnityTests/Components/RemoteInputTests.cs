@@ -1,0 +1,108 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using System.Threading;
+using LaserTracking.Remote;
+using LaserTracking.Session;
+using NUnit.Framework;
+using UnityEngine;
+using UnityStandIn;
+
+namespace LaserTracking.Unity
+{
+    public sealed class RemoteInputTests : StandInTests
+    {
+        private readonly List<ShotEvent> _shots = new List<ShotEvent>();
+
+        private RemoteInput Create(string address = "127.0.0.1")
+        {
+            _shots.Clear();
+            var owner = new GameObject("remote");
+            owner.SetActive(false);
+            RemoteInput input = owner.AddComponent<RemoteInput>();
+            SerializedFields.Set(input, "_port", 0);
+            SerializedFields.Set(input, "_address", address);
+            SerializedFields.Set(input, "_hitLayers", 1 << 8);
+            SerializedFields.Set(input, "_screen", new GameObject("screen").AddComponent<ScreenSurface>());
+            var eye = new GameObject("eye");
+            eye.transform.position = new Vector3(0, 0, -3);
+            SerializedFields.Set(input, "_viewpoint", eye.transform);
+            input.ShotFired += shot => _shots.Add(shot);
+            return input;
+        }
+
+        private static void Send(IPEndPoint to, string text)
+        {
+            using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+            socket.SendTo(Encoding.UTF8.GetBytes(text), to);
+        }
+
+        private static string Shot(int id, string screenM) =>
+            "{\"v\":1,\"stream\":5,\"counter\":" + id + ",\"sent_us\":" + (DateTime.UtcNow - DateTime.UnixEpoch).Ticks / 10 + ",\"type\":\"shot\",\"id\":" + id
+            + ",\"time_us\":1,\"confidence\":0.9,\"screen_m\":" + screenM + ",\"screen_cov_mm2\":[1,0,1]}";
+
+        private static void Play(Func<bool> until)
+        {
+            for (int i = 0; i < 500 && !until(); i++)
+            {
+                Thread.Sleep(10);
+                PlayerLoop.Step(1 / 60.0);
+            }
+        }
+
+        [Test]
+        public void RemoteInput_Shot_HitsTheTargetBehindTheScreen()
+        {
+            LaserTarget plate = RangeRig.AddPlate("plate", new Vector3(0, 0, 4), 0.5f);
+            plate.gameObject.SetActive(true);
+            int reported = 0;
+            plate.Hit += _ => reported++;
+            RemoteInput input = Create();
+            input.gameObject.SetActive(true);
+            Send(input.EndPoint!, Shot(1, "[1.865,1.13]"));
+            Send(input.EndPoint!, Shot(2, "[0.1,0.1]"));
+            Play(() => _shots.Count == 2);
+            Assert.That(_shots.Select(shot => (shot.Shot.Id, shot.HasHit)), Is.EqualTo(new[] { (1, true), (2, false) }));
+            Assert.That((_shots[0].Hit.Target, _shots[0].Hit.Points, reported), Is.EqualTo(("plate", 5, 1)));
+        }
+
+        [Test]
+        public void RemoteInput_Garbage_IsOneWarning()
+        {
+            RemoteInput input = Create();
+            input.gameObject.SetActive(true);
+            Send(input.EndPoint!, "hello");
+            Send(input.EndPoint!, "hello");
+            Play(() => input.Inbox!.Dropped(RemoteDrop.NotJson) == 2);
+            PlayerLoop.Step(1 / 60.0);
+            Assert.That(ConsoleLog.Entries.Single().Message, Does.StartWith("remote input: a packet is not a JSON object"));
+        }
+
+        [Test]
+        public void RemoteInput_Disabled_ClosesItsPortAndListensAnewWhenEnabled()
+        {
+            RemoteInput input = Create();
+            input.gameObject.SetActive(true);
+            SerializedFields.Set(input, "_port", input.EndPoint!.Port);
+            input.enabled = false;
+            Assert.That(input.EndPoint, Is.Null);
+            input.enabled = true;
+            Send(input.EndPoint!, Shot(1, "[1,1]"));
+            Play(() => _shots.Count == 1);
+            Assert.That(_shots, Has.Count.EqualTo(1));
+        }
+
+        [TestCase("0.0.0.0", "give it a key")]
+        [TestCase("here", "this is no address")]
+        public void RemoteInput_WrongSetting_IsOneMessageAndNothingElse(string address, string words)
+        {
+            RemoteInput input = Create(address);
+            input.gameObject.SetActive(true);
+            PlayerLoop.Step(0.1);
+            Assert.That(ConsoleLog.Entries.Single().Message, Does.StartWith("RemoteInput remote: ").And.Contain(words));
+        }
+    }
+}
