@@ -6,6 +6,10 @@ namespace LaserTracking.Hands
     internal struct ArmFit
     {
         public Vector3D PalmMm;
+
+        /// <summary>The middle of the hand's visible surface, moved in by half a palm's thickness: seen also where the weapon is not.</summary>
+        public Vector3D SurfaceMm;
+
         public Vector3D MuzzleMm;
         /// <summary>The muzzle is the end of what is seen before the hand, not inferred.</summary>
         public bool HasWeapon;
