@@ -41,5 +41,8 @@ namespace LaserTracking.Session
 
         /// <summary>The expected view of the rendered pictures begins or ceases to be relied on. Value: delay from drawing to seeing, s.</summary>
         Rendered = 12,
+
+        /// <summary>Camera 1 falls silent or comes back. Value: seconds without a picture of it.</summary>
+        HandCamera = 13,
     }
 }
