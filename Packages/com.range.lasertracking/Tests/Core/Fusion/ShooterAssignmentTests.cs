@@ -77,31 +77,6 @@ namespace LaserTracking.Fusion
         }
 
         [Test]
-        public void Fuse_WhoAimsSteadily_IsBelievedMoreThanExpected()
-        {
-            // After shots without any error a dot beside the line is less likely theirs than before anything was known of them.
-            var eyes = new Vector3D(1.4, 0.9, -2.9);
-            var beside = new Vector2D(0.3, 0);
-            var never = new FusionSettings { MinProbability = 0 };
-            _assignment = new ShooterAssignment(Camera, never);
-            double atFirst = Fire(0, new Vector2D(1.6, 0.9), beside);
-            _assignment = new ShooterAssignment(Camera, never);
-            double onTheLine = 0;
-            for (int i = 0; i < 16; i++)
-                onTheLine = Fire(i * 2_000_000L, new Vector2D(0.4 + 0.2 * i, 0.4 + 0.3 * (i % 4)), default);
-            Assert.That(onTheLine, Is.GreaterThan(0.99));
-            Assert.That(Fire(40_000_000, new Vector2D(1.6, 0.9), beside), Is.LessThan(0.7 * atFirst));
-
-            double Fire(long timeUs, Vector2D aimedAt, Vector2D off)
-            {
-                HandObservation hand = Hand(4, eyes + (new Vector3D(aimedAt.X, aimedAt.Y, 0) - eyes).Normalized * 0.75, aimedAt, HandSide.Right);
-                hand.PersonId = 1;
-                SeePeople(timeUs, new[] { Person(1, eyes) }, hand);
-                return _assignment.Fuse(Shot(timeUs, LaserColor.Green), aimedAt + off).ShooterProbability;
-            }
-        }
-
-        [Test]
         public void Fuse_TwoAtOnceWithCrossingBeams_EachGetsTheirOwn()
         {
             var left = new Vector2D(0.8, 1.0);
