@@ -81,7 +81,7 @@ namespace LaserTracking.Commands
 
         [TestCase("\"screen_m\": [", "\"screen_m\": [NaN,", "screen_m must be 2 numbers")]
         [TestCase("\"kind\": \"screen\"", "\"kind\": \"stereo\"", "field kind is \"stereo\"")]
-        [TestCase("\"H\": [", "\"H\": [[0,0,0],", "field H must be three rows")]
+        [TestCase("\"H\": [", "\"H\": [[0,0,0],", "field H must be 3 rows")]
         public void Verify_ChangedCalibration_IsRefused(string old, string changed, string words)
         {
             using var folder = new TemporaryFolder();

@@ -37,6 +37,12 @@ namespace LaserTracking.Repository
 
         public IReadOnlyList<string> DefineConstraints => Strings("defineConstraints");
 
+        /// <summary>Libraries by file name, without those of other assemblies in the project.</summary>
+        public IReadOnlyList<string> PrecompiledReferences => Strings("precompiledReferences");
+
+        /// <summary>Symbols that are there when a package is, by the package's name.</summary>
+        public IReadOnlyDictionary<string, string> VersionDefines => ((JArray)_json["versionDefines"]!).ToDictionary(entry => (string)entry["name"]!, entry => (string)entry["define"]!);
+
         public string ProjectFile => RepositoryFiles.Package + "/DotNet~/" + Name + "/" + Name + ".csproj";
 
         public bool IsTestAssembly => Path.StartsWith(RepositoryFiles.Package + "/Tests/");

@@ -70,6 +70,17 @@ namespace LaserTracking.Repository
         }
 
         [Test]
+        public void AssemblyDefinition_OfCalibration_SleepsUntilMathNetIsThere()
+        {
+            AssemblyDefinition calibration = AssemblyDefinition.All.Single(assembly => assembly.Name == "Range.LaserTracking.Calibration");
+            Assert.That(calibration.HasNoEngineReferences, Is.True);
+            Assert.That(calibration.References, Is.EqualTo(new[] { "Range.LaserTracking.Core" }));
+            Assert.That(calibration.PrecompiledReferences, Is.EqualTo(new[] { "MathNet.Numerics.dll" }));
+            Assert.That(calibration.DefineConstraints, Is.EqualTo(new[] { calibration.VersionDefines["org.nuget.mathnet.numerics"] }));
+            Assert.That(AssemblyDefinition.All.Where(assembly => assembly != calibration && assembly.OwnReferences.Contains(calibration)), Is.Empty, "the package works without MathNet");
+        }
+
+        [Test]
         public void AssemblyDefinition_OfTests_IsBuiltForTestsOnly()
         {
             foreach (AssemblyDefinition assembly in AssemblyDefinition.All)

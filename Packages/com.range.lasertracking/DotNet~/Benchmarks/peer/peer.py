@@ -14,6 +14,7 @@ import numpy as np
 
 ALPHA, GAMMA, SPIKE, GREEN, TOP, LEAST_EXCESS = 0.95, 0.88, 0.6, 0.4, 0.005, 25
 WIDTH = 960
+BOARD = (9, 6)
 WARM_UP_S, MEASURED_S, LEAST_RUNS = 0.5, 3.0, 50
 
 
@@ -134,6 +135,20 @@ def dual_region(infrared, bgra):
     return found
 
 
+def board_classic(gray):
+    """Quadrangles, then sub-pixel corners with the window of the reference calibration."""
+    found, corners = cv2.findChessboardCorners(gray, BOARD, flags=cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE)
+    if found:
+        cv2.cornerSubPix(gray, corners, (5, 5), (-1, -1), (cv2.TERM_CRITERIA_EPS | cv2.TERM_CRITERIA_COUNT, 30, 0.01))
+    return corners if found else []
+
+
+def board_sector(gray):
+    """Duda and Frese's sectors, which the library calls SB; sub-pixel by itself."""
+    found, corners = cv2.findChessboardCornersSB(gray, BOARD)
+    return corners if found else []
+
+
 def measure(operation, frames):
     """As the benchmark does: there and back through the frames, warm first, each call timed."""
     order = list(range(len(frames))) + list(range(len(frames) - 2, 0, -1))
@@ -158,6 +173,18 @@ def read(folder, entry):
     return list(data.reshape(entry["shape"]))
 
 
+def calibrate_stereo(corners):
+    """Each camera alone, then how they stand to each other with the cameras held."""
+    points = np.array([[x, y, 0] for x, y in corners["object_points_mm"]], np.float32)
+    size, end = tuple(corners["image_size"]), (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 200, 1e-9)
+    board = [points] * len(corners["pairs"])
+    left, right = ([np.array(pair[side], np.float32).reshape(-1, 1, 2) for pair in corners["pairs"]] for side in ("left_px", "right_px"))
+    _, left_matrix, left_dist, _, _ = cv2.calibrateCamera(board, left, size, None, None, criteria=end)
+    _, right_matrix, right_dist, _, _ = cv2.calibrateCamera(board, right, size, None, None, criteria=end)
+    cv2.stereoCalibrate(board, left, right, left_matrix, left_dist, right_matrix, right_dist, size, flags=cv2.CALIB_FIX_INTRINSIC, criteria=end)
+    return []
+
+
 def main():
     if len(sys.argv) != 2:
         print(__doc__, file=sys.stderr)
@@ -166,8 +193,14 @@ def main():
     folder = sys.argv[1]
     with open(os.path.join(folder, "frames.json"), encoding="utf-8") as file:
         listed = json.load(file)
-    bgra, nv12, infrared, color = (read(folder, listed[name]) for name in ("bgra", "nv12", "dual_infrared", "dual_bgra"))
+    bgra, nv12, infrared, color, boards = (read(folder, listed[name]) for name in ("bgra", "nv12", "dual_infrared", "dual_bgra", "board"))
     pairs = list(zip(infrared, color))
+    pixels = read(folder, listed["lens"])
+    fx, fy, cx, cy = listed["lens"]["K"]
+    matrix, dist = np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]]), np.array(listed["lens"]["dist"])
+    converged = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 100, 1e-9)
+    with open(os.path.join(folder, "corners.json")) as file:
+        corners = [json.load(file)]
     as_it_is = lambda frame: frame
     from_bgra = lambda frame: cv2.cvtColor(frame, cv2.COLOR_BGRA2BGR)
     from_nv12 = lambda frame: cv2.cvtColor(frame, cv2.COLOR_YUV2BGR_NV12)
@@ -178,6 +211,11 @@ def main():
         ("paper-720p-nv12", "8-bit", PaperTuned(from_nv12), nv12, ["detect-720p-nv12"]),
         ("dual-1080p", "naive", lambda pair: dual_naive(*pair), pairs, ["dual-1080p", "dual-infrared-1080p"]),
         ("dual-1080p", "region", lambda pair: dual_region(*pair), pairs, ["dual-1080p", "dual-infrared-1080p"]),
+        ("undistortPoints", "5 iterations", lambda points: cv2.undistortPoints(points, matrix, dist), pixels, ["lens-lookup", "lens-exact"]),
+        ("undistortPoints", "converged", lambda points: cv2.undistortPointsIter(points, matrix, dist, None, None, converged), pixels, ["lens-lookup", "lens-exact"]),
+        ("calibrate-stereo", "calibrateCamera twice, stereoCalibrate", calibrate_stereo, corners, ["calibrate-stereo"]),
+        ("board-1080p", "findChessboardCorners", board_classic, boards, ["board-1080p"]),
+        ("board-1080p", "findChessboardCornersSB", board_sector, boards, ["board-1080p"]),
     ]
     results = [dict(name=name, variant=variant, compare=compare, **measure(operation, frames)) for name, variant, operation, frames, compare in cases]
     print(json.dumps({"opencv": cv2.__version__, "threads": 1, "results": results}))

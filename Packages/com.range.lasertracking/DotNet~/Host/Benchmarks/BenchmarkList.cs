@@ -35,7 +35,12 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("dots-8", "8 dots in, their numbers out; dot tracker", () => TrackingBenchmarks.Dots(8)),
             new Benchmark("dots-50", "50 dots in, their numbers out; dot tracker", () => TrackingBenchmarks.Dots(50)),
             new Benchmark("pair-multiuser", "4 shots of one frame to 4 hands", Pair),
+            new Benchmark("lens-table", "a table of rays for a depth camera's 1920×1080 colour lens, error at most 0.01 px", LensBenchmark.BuildTable),
+            new Benchmark("lens-lookup", "1,000,000 pixels at random places to rays by that table", LensBenchmark.LookUp),
+            new Benchmark("lens-exact", "the same 1,000,000 pixels to exact rays by Newton's method", LensBenchmark.Exact),
+            new Benchmark("calibrate-stereo", "13 pairs of 48 corners: both cameras and how they stand to each other", StereoBenchmark.Prepare),
             new Benchmark("decode-720p-mjpg", "one 1280×720 4:2:2 JPEG to YUY2", Decode),
+            new Benchmark("board-1080p", "1920×1080 grey picture in, 9×6 corners of a board out; clutter, tilt, lens, blur, noise", BoardBenchmark.Prepare),
             new Benchmark("end-to-end-720p", "1280×720 NV12 frame in, scored hit and event line out; 2 shooters, shots all the time", EndToEnd),
         };
 

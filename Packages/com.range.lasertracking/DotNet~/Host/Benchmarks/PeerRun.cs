@@ -2,8 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Runtime.InteropServices;
 using System.Threading;
 using LaserTracking.Capture;
+using LaserTracking.Geometry;
 using LaserTracking.Host.Terminal;
 using LaserTracking.Imaging;
 using Newtonsoft.Json;
@@ -71,6 +73,20 @@ namespace LaserTracking.Host.Benchmarks
             Write(BenchmarkList.DetectFrames(1280, 720, PixelFormat.Nv12, Frames), frame => frame.Color, "nv12", "u1", [Frames, 1080, 1280]);
             Write(dual, frame => frame.Color, "dual_bgra", "u1", [Frames, 1080, 1920, 4]);
             Write(dual, frame => frame.Infrared, "dual_infrared", "<u2", [Frames, 1024, 1024]);
+            PinholeCamera lens = LensBenchmark.Camera.Pinhole;
+            File.WriteAllBytes(Path.Combine(folder, "lens.raw"), MemoryMarshal.AsBytes(LensBenchmark.RandomPixels().AsSpan()).ToArray());
+            list["lens"] = new JObject { ["file"] = "lens.raw", ["type"] = "<f8", ["shape"] = new JArray(1, LensBenchmark.Pixels, 2), ["K"] = new JArray(lens.FocalXPx, lens.FocalYPx, lens.CenterXPx, lens.CenterYPx), ["dist"] = new JArray(LensBenchmark.Dist) };
+            File.WriteAllText(Path.Combine(folder, "corners.json"), StereoBenchmark.Corners());
+            using (FileStream boards = File.Create(Path.Combine(folder, "board.raw")))
+            {
+                for (int i = 0; i < BoardBenchmark.Pictures; i++)
+                {
+                    using Image picture = BoardBenchmark.Picture(i);
+                    boards.Write(picture.Bytes);
+                }
+            }
+
+            list["board"] = new JObject { ["file"] = "board.raw", ["type"] = "u1", ["shape"] = new JArray(BoardBenchmark.Pictures, 1080, 1920) };
             File.WriteAllText(Path.Combine(folder, "frames.json"), list.ToString(Formatting.None));
 
             void Write(FrameLoop frames, Func<Frame, Image> picture, string name, string type, int[] shape)

@@ -42,6 +42,9 @@ namespace LaserTracking.Host.Calibration
             return new ScreenPoints(image, screen, verifyImage, verifyScreen, size);
         }
 
+        /// <summary>All points as those to check with.</summary>
+        public ScreenPoints AsVerify() => this with { VerifyImagePx = ImagePx, VerifyScreenM = ScreenM };
+
         /// <summary>Four corners "x,y" of the image, top-left first, clockwise.</summary>
         public static ScreenPoints FromCorners(string[] corners, Vector2D sizeM)
         {
@@ -62,12 +65,12 @@ namespace LaserTracking.Host.Calibration
         }
 
         /// <summary>"1280x720".</summary>
-        public static (int Width, int Height) PixelSize(string text)
+        public static (int Width, int Height) PixelSize(string text, string option = "--image-size")
         {
             string[] parts = text.Split('x');
             return parts.Length == 2 && int.TryParse(parts[0], NumberStyles.None, CultureInfo.InvariantCulture, out int width) && int.TryParse(parts[1], NumberStyles.None, CultureInfo.InvariantCulture, out int height) && IsPixelSize(width, height)
                 ? (width, height)
-                : throw new InputException("--image-size", $"\"{text}\" is no size in pixels", "write it as 1280x720");
+                : throw new InputException(option, $"\"{text}\" is no size in pixels", "write it as 1280x720");
         }
 
         private static (int Width, int Height) PixelSize(JToken size, string path) =>

@@ -8,12 +8,10 @@ using LaserTracking.Geometry;
 using LaserTracking.Host.Calibration;
 using LaserTracking.Host.Explanations;
 using LaserTracking.Host.Pictures;
-using LaserTracking.Host.Scenes;
 using LaserTracking.Host.Sessions;
 using LaserTracking.Host.Sources;
 using LaserTracking.Host.Terminal;
 using LaserTracking.Detection;
-using LaserTracking.Simulation;
 
 namespace LaserTracking.Host.Commands
 {
@@ -40,7 +38,7 @@ namespace LaserTracking.Host.Commands
                 ResultFile.CheckNotRead(picture, name, parsed.GetValue(calibration));
                 IShotDetector chosen = RangeSession.CreateDetector(parsed.GetValue(detector)!);
                 if (parsed.GetValue(calibration) is { } file)
-                    chosen.SetScreenPolygon(RangeCalibrationFile.Read(file).Screen.CornersPx);
+                    chosen.SetScreenPolygon(RangeCalibrationFile.Read(file).Screen.OutlinePx);
                 return Task.FromResult(Run(name, index, place == null ? null : ScreenPoints.Pair(place, ',', "--at"), chosen, picture, interrupted));
             });
             return command;
@@ -49,7 +47,7 @@ namespace LaserTracking.Host.Commands
         private static int Run(string name, int index, Vector2D? atPx, IShotDetector detector, string picture, CancellationToken interrupted)
         {
             using var file = new ResultFile(picture);
-            using IFrameSource source = Open(name);
+            using IFrameSource source = CameraInput.Open(name);
             using var progress = new ProgressLine();
             using ExplainedFrame explained = new FrameExaminer(detector).Run(source, name, index, atPx, progress, interrupted);
             progress.Clear();
@@ -60,16 +58,6 @@ namespace LaserTracking.Host.Commands
             Console.WriteLine();
             Console.WriteLine("the picture: " + picture);
             return ExitCodes.Done;
-        }
-
-        /// <summary>A scenario plays in the shipped scene, as in the demo.</summary>
-        private static IFrameSource Open(string name)
-        {
-            if (!name.EndsWith(".json", StringComparison.OrdinalIgnoreCase))
-                return new PrefetchingFrameSource(FrameSources.OpenScreenCamera(name));
-            SimulationScenario scenario = SimulationScenarioFile.Read(name);
-            var range = new SimulatedRange(scenario, UnitySceneReader.Read(Path.Combine(RepositoryFolder.Find(), "Assets", "Scenes", "Range.unity")));
-            return new PrefetchingFrameSource(range.CreateColorSource());
         }
     }
 }

@@ -3,7 +3,7 @@ using LaserTracking.Imaging;
 
 namespace LaserTracking.Host.Pictures
 {
-    /// <summary>A picture to draw rectangles, pixels and text on; what lies outside is left out. Colours are 0xRRGGBB.</summary>
+    /// <summary>A picture to draw rectangles, lines, pixels and text on; what lies outside is left out. Colours are 0xRRGGBB.</summary>
     internal sealed unsafe class Canvas : IDisposable
     {
         public Canvas(int width, int height, uint background)
@@ -32,6 +32,18 @@ namespace LaserTracking.Host.Pictures
             Fill(x, y + height - thickness, width, thickness, color);
             Fill(x, y, thickness, height, color);
             Fill(x + width - thickness, y, thickness, height, color);
+        }
+
+        /// <summary>A straight line, one pixel wide or more; long or endless ones are cut at the picture.</summary>
+        public void Line(double x0, double y0, double x1, double y1, uint color, int thickness = 1)
+        {
+            double length = Math.Max(Math.Abs(x1 - x0), Math.Abs(y1 - y0));
+            int steps = (int)Math.Min(length, 4.0 * (Width + Height));
+            for (int i = 0; i <= steps; i++)
+            {
+                double share = steps == 0 ? 0 : i / (double)steps;
+                Fill((int)Math.Round(x0 + share * (x1 - x0)) - thickness / 2, (int)Math.Round(y0 + share * (y1 - y0)) - thickness / 2, thickness, thickness, color);
+            }
         }
 
         /// <summary>Pixels of another picture, blue in the lowest byte, each a square of the given size.</summary>

@@ -84,7 +84,7 @@ namespace LaserTracking.Host.Sources
         }
 
         /// <summary>The last number of a name, and the name without it. Names differ in nothing else within a sequence.</summary>
-        private static long? LastNumber(string name, out string stem)
+        public static long? LastNumber(string name, out string stem)
         {
             stem = name;
             int end = name.AsSpan().LastIndexOfAnyInRange('0', '9') + 1;

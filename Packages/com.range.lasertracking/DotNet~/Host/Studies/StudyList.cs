@@ -27,6 +27,8 @@ namespace LaserTracking.Host.Studies
             new FrameRateStudy(),
             new DotTracksStudy(),
             new MultiuserStudy(),
+            new Calibration.ScreenCalibrationStudy(),
+            new Calibration.BoardStudy(),
         };
     }
 }

@@ -85,7 +85,7 @@ namespace LaserTracking.Detection
                 // Light that grows further says the same once more; what the picture may show itself grows when it comes from behind.
                 candidate.LogOdds = known.LogOdds;
                 if (!known.IsConclusive && candidate.IsOnset && !candidate.MayBeContent)
-                    candidate.LogOdds += Weigh(view, ref candidate, known.LogOdds, out int _, stackalloc float[DotEvidence.Count]);
+                    candidate.LogOdds += Weigh(view, ref candidate, known.LogOdds, _settings.MinLogOdds, out int _, stackalloc float[DotEvidence.Count]);
                 candidate.IsConclusive = known.IsConclusive || isProvenByLevel || candidate.LogOdds >= _settings.ConclusiveLogOdds;
                 Fails(ref candidate, !candidate.IsConclusive && known.Frames > _settings.MaxWaitFrames, RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
                 return;
@@ -95,26 +95,27 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.Freshness < _settings.MinFreshness, RejectionReason.NotNew, candidate.Freshness, _settings.MinFreshness, "freshness"))
                 return;
             Span<float> features = stackalloc float[DotEvidence.Count];
-            candidate.LogOdds = Weigh(view, ref candidate, 0, out int against, features);
+            double least = rise < _settings.FaintRise ? Math.Max(_settings.MinLogOdds, _settings.ConclusiveLogOdds) : _settings.MinLogOdds;
+            candidate.LogOdds = Weigh(view, ref candidate, 0, least, out int against, features);
             EvidenceCurve curve = DotEvidence.Curves[against];
-            if (Fails(ref candidate, candidate.LogOdds < _settings.MinLogOdds, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What))
+            if (Fails(ref candidate, candidate.LogOdds < least, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What))
                 return;
             candidate.IsConclusive = candidate.LogOdds >= _settings.ConclusiveLogOdds;
             Trace?.AddConclusive(candidate.IsConclusive, candidate.LogOdds, _settings.ConclusiveLogOdds, "all evidence, log-odds", true);
         }
 
         /// <summary>No single measure decides: all of them together say how likely this is a laser's light.</summary>
-        private double Weigh(in FrameView view, ref Candidate candidate, double before, out int against, Span<float> features)
+        private double Weigh(in FrameView view, ref Candidate candidate, double before, double least, out int against, Span<float> features)
         {
             FeatureMeasurer.MeasureItself(view, candidate, Noise, Scale, ContentLevel, features);
             double highest = DotEvidence.HighestLogOdds(features);
-            bool isHopeless = before + highest < _settings.MinLogOdds;
+            bool isHopeless = before + highest < least;
             if (!isHopeless || Trace != null)
             {
                 SurroundingsMeasurer.Ring(view, ref candidate, Noise);
                 FeatureMeasurer.MeasureAround(view, candidate, Noise, (int)(_settings.MotionRadiusPx * Scale), features);
                 candidate.MotionShare = features[(int)DotFeature.BrightenedAround] + features[(int)DotFeature.DarkenedAround];
-                Trace?.AddEvidence(features, before, _settings.MinLogOdds);
+                Trace?.AddEvidence(features, before, least);
             }
 
             against = DotEvidence.StrongestAgainst(features, !isHopeless);

@@ -20,17 +20,20 @@ namespace LaserTracking.Detection
         private readonly int[] _histogram = new int[256];
         private int _frames;
 
+        /// <summary>May exceed what the camera can show: a longer exposure that is taken back leaves it where it was.</summary>
+        private double _level;
+
         /// <summary>0…255, by the envelope of the largest channel.</summary>
-        public int Level { get; private set; }
+        public int Level => (int)Math.Min(255, Math.Round(_level));
 
         public void Reset()
         {
             _frames = 0;
-            Level = 0;
+            _level = 0;
         }
 
         /// <summary>The exposure has changed by this factor.</summary>
-        public void Scale(double gain) => Level = (int)Math.Min(255, Math.Round(Level * gain));
+        public void Scale(double gain) => _level *= gain;
 
         public unsafe void Update(in FrameView view)
         {
@@ -51,11 +54,11 @@ namespace LaserTracking.Detection
                 level--;
             _frames++;
             if (_frames == 1)
-                Level = level;
+                _level = level;
             else if (level > Level)
-                Level += (level - Level + 3) / 4;
-            else if (level < Level && _frames % FramesPerLevel == 0)
-                Level--;
+                _level += (level - Level + 3) / 4;
+            else if (level < _level && _frames % FramesPerLevel == 0)
+                _level--;
         }
     }
 }

@@ -134,7 +134,7 @@ namespace LaserTracking.Detection
             Vector2D size = _screen!.ScreenSizeM;
             var screen = new Vector2D((region % _settings.Columns + u) / _settings.Columns * size.X, (region / _settings.Columns + v) / _settings.Rows * size.Y);
             Vector2D image = _screen.ToImagePx(screen);
-            _screen.ImageToScreen.Jacobian(image, out double a, out double b, out double c, out double d);
+            _screen.Jacobian(image, out double a, out double b, out double c, out double d);
             double pixelM2 = Math.Abs(a * d - b * c), radius = _settings.DotRadiusMm / 2000;
             double sigma2 = radius * radius / pixelM2 + _settings.BlurPx * _settings.BlurPx + 1.0 / 12;
             double perMw = 1e-3 / pixelM2 / _settings.WhiteWPerM2 * whiteLight / (2 * Math.PI * sigma2)

@@ -113,15 +113,15 @@ namespace LaserTracking.Detection
             Add(new TestOutcome { What = "all evidence", IsPassed = all >= minLogOdds, Value = all, Limit = minLogOdds, IsMinimum = true, LogOdds = all });
         }
 
-        /// <summary>The candidate whose tests were added since the last call.</summary>
-        internal void Finish(in Candidate candidate, in FrameView view, Vector2D positionPx, int factor, bool isContinued, int dotIndex)
+        /// <summary>The candidate whose tests were added since the last call; its index, -1 when there was no room for it.</summary>
+        internal int Finish(in Candidate candidate, in FrameView view, Vector2D positionPx, int factor, bool isContinued, int dotIndex)
         {
             int first = _firstTest;
             _firstTest = _testCount;
             if (_candidateCount == _candidates.Length)
             {
                 OverflowCount++;
-                return;
+                return -1;
             }
 
             double half = (factor - 1) * 0.5;
@@ -148,6 +148,42 @@ namespace LaserTracking.Detection
                 FirstTest = first,
                 TestCount = _testCount - first,
             };
+            return _candidateCount - 1;
+        }
+
+        /// <summary>The same for a candidate that waits for the others of its frame; room is kept for the test that decides then.</summary>
+        internal int FinishWaiting(in Candidate candidate, in FrameView view, Vector2D positionPx, int factor)
+        {
+            Add(RejectionReason.Duplicate, true, 0, 0, null);
+            return Finish(candidate, view, positionPx, factor, false, -1);
+        }
+
+        /// <summary>A candidate that waited is a dot.</summary>
+        internal void SettleWaiting(int index, Vector2D positionPx, int dotIndex)
+        {
+            if (index < 0)
+                return;
+            _candidates[index].PositionPx = positionPx;
+            _candidates[index].DotIndex = dotIndex;
+            if (_candidates[index].TestCount > 0)
+                _candidates[index].TestCount--;
+        }
+
+        /// <summary>A candidate that waited lies beside a dot that more speaks for.</summary>
+        internal void SettleWaiting(int index, in RejectedCandidate rejected)
+        {
+            if (index < 0)
+                return;
+            ref ExaminedCandidate candidate = ref _candidates[index];
+            candidate.Reason = rejected.Reason;
+            candidate.Value = rejected.Value;
+            candidate.Limit = rejected.Limit;
+            int last = candidate.FirstTest + candidate.TestCount - 1;
+            if (candidate.TestCount == 0 || _tests[last].Reason != RejectionReason.Duplicate)
+                return;
+            _tests[last].IsPassed = false;
+            _tests[last].Value = rejected.Value;
+            _tests[last].Limit = rejected.Limit;
         }
 
         private void Add(in TestOutcome test)

@@ -50,6 +50,9 @@ namespace LaserTracking.Detection
         /// <summary>Found again in the frame being processed.</summary>
         public bool IsContinued;
 
+        /// <summary>Holds the place of a candidate that waits, against parts of it in the same plane.</summary>
+        public bool IsProvisional;
+
         /// <summary>Keeps what the frame before shows at the candidate.</summary>
         public void RememberPlace(in FrameView view, in Candidate c)
         {
@@ -163,6 +166,18 @@ namespace LaserTracking.Detection
             }
 
             return false;
+        }
+
+        public void ForgetProvisional()
+        {
+            int kept = 0;
+            for (int i = 0; i < _nowCount; i++)
+            {
+                if (!_now[i].IsProvisional)
+                    _now[kept++] = _now[i];
+            }
+
+            _nowCount = kept;
         }
 
         public void Add(in RememberedDot dot)

@@ -20,7 +20,7 @@ namespace LaserTracking.Detection
         private readonly BlobMeasurer _blobs = new BlobMeasurer();
         private readonly CandidateJudge _judge;
         private readonly SeedFinder _finder;
-        private readonly DotLocator _locator = new DotLocator();
+        private readonly DotMeasurer _measurer;
         private readonly DotMemory _memory = new DotMemory();
         private readonly NoiseMeter _noise = new NoiseMeter();
         private readonly GlobalChangeMeter _change = new GlobalChangeMeter();
@@ -28,12 +28,13 @@ namespace LaserTracking.Detection
         private readonly ScreenMask _mask = new ScreenMask();
         private readonly BlindMeter _blind;
         private readonly int[] _reciprocal = new int[256];
-        private readonly Candidate[] _candidates;
+        private readonly WaitingCandidate[] _waiting;
         private readonly Candidate[] _seeds;
         private readonly int[] _seedOrder;
         private readonly ExpectedView? _expected;
         private readonly ExpectedLightJudge? _expectedJudge;
-        private int _candidateCount;
+        private int _examinedCount;
+        private int _waitingCount;
         private bool _isSmooth;
         private bool _isPredicted;
 
@@ -45,10 +46,11 @@ namespace LaserTracking.Detection
             _settings = settings?.Clone() ?? new ShotDetectorSettings();
             _settings.Validate();
             _blind = new BlindMeter(_settings);
+            _measurer = new DotMeasurer(_settings);
             _judge = new CandidateJudge(_settings, _blobs);
             _expected = expected;
             _expectedJudge = expected == null ? null : new ExpectedLightJudge(_settings, _blobs, expected);
-            _candidates = new Candidate[4 * _settings.MaxCandidates];
+            _waiting = new WaitingCandidate[4 * _settings.MaxCandidates];
             _seeds = new Candidate[_settings.MaxCandidates];
             _seedOrder = new int[_settings.MaxCandidates];
             _finder = new SeedFinder(_settings.MaxCandidates, _blobs, _memory);
@@ -70,9 +72,6 @@ namespace LaserTracking.Detection
                     _expectedJudge.Trace = value;
             }
         }
-
-        /// <summary>Everything examined in the last frame, for tests and explanations.</summary>
-        internal ReadOnlySpan<Candidate> Candidates => new ReadOnlySpan<Candidate>(_candidates, 0, _candidateCount);
 
         /// <summary>To ask what it would have taken in the last frame.</summary>
         internal DetectorProbe Probe { get; }
@@ -158,7 +157,7 @@ namespace LaserTracking.Detection
             _judge.Noise = _noise.Sigma;
             _content.Update(view);
             _judge.ContentLevel = _content.Level;
-            _candidateCount = 0;
+            _examinedCount = 0;
             _isPredicted = _expected != null
                 && _expected.Update(view, _planes.Factor, image.Width, image.Height, detections.TimeUs, _noise.Sigma, _settings.UseVectors);
             detections.Prediction = _expected?.State ?? PredictionState.Off;
@@ -167,6 +166,7 @@ namespace LaserTracking.Detection
                 SearchAboveExpected(image, view, _expected!, detections);
             SearchPlane(image, view, DetectionPlane.Smallest, _planes.SmallestTiles, GateFloor, detections);
             SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, GateFloor, detections);
+            AddWaiting(image, view, detections);
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
             Trace?.Spot?.Look(view, _judge.IsContentKnown ? _content.Level + _settings.MinContentExcess : 256, _memory);
@@ -210,15 +210,17 @@ namespace LaserTracking.Detection
                 }
 
                 Array.Sort(_seedOrder, 0, seeds);
-                for (int i = 0; i < seeds && _candidateCount < _candidates.Length; i++)
+                for (int i = 0; i < seeds && _examinedCount < _waiting.Length; i++)
                 {
                     ref Candidate candidate = ref _seeds[_seedOrder[i] & 0xFFFF];
                     if (_blobs.IsTaken(candidate.SeedY * view.Width + candidate.SeedX) || _memory.IsLit(candidate.SeedX, candidate.SeedY))
                         continue;
                     Examine(image, view, ref candidate, detections);
-                    _candidates[_candidateCount++] = candidate;
+                    _examinedCount++;
                 }
             }
+
+            _memory.ForgetProvisional();
         }
 
         /// <summary>Light that no projected picture reaches, wherever no dot has been found yet: motion around it means nothing.</summary>
@@ -227,7 +229,7 @@ namespace LaserTracking.Detection
             TileGrid tiles = _planes.LargestTiles;
             int limit = _content.Level + _settings.MinContentExcess;
             _blobs.Begin();
-            for (int tile = 0; tile < tiles.Columns * tiles.Rows && _candidateCount < _candidates.Length; tile++)
+            for (int tile = 0; tile < tiles.Columns * tiles.Rows && _examinedCount < _waiting.Length; tile++)
             {
                 if (tiles.Onset(tile) < _settings.MinContentExcess / 2 || (_isPredicted && _expected!.ExplainsTile(tile))
                     || !_finder.TryFindExcess(view, tile % tiles.Columns, tile / tiles.Columns, limit, out Candidate candidate))
@@ -235,7 +237,7 @@ namespace LaserTracking.Detection
                 candidate.Activity = tiles.Activity(tile);
                 candidate.IsAboveContent = true;
                 Examine(image, view, ref candidate, detections);
-                _candidates[_candidateCount++] = candidate;
+                _examinedCount++;
             }
         }
 
@@ -296,50 +298,80 @@ namespace LaserTracking.Detection
                 return;
             }
 
-            var dot = new Dot { IsConclusive = candidate.IsConclusive, IsOnset = candidate.IsOnset, MayBeContent = candidate.MayBeContent };
-            _locator.Locate(image, view, factor, candidate, Noise, ref dot);
-            dot.Color = candidate.IsOnset || known.Frames == 0 ? ColorOf(candidate) : known.Color;
-            dot.Factors = ConfidenceModel.Of(candidate, AwayShare(dot.PositionPx, image));
-            dot.Confidence = Math.Min(1, dot.Factors.Sum);
+            if (!candidate.IsConclusive && known.Frames == 0 && !candidate.IsAboveExpected && !candidate.IsAboveContent)
+            {
+                int traceIndex = Trace?.FinishWaiting(candidate, view, position, factor) ?? -1;
+                _waiting[_waitingCount++] = new WaitingCandidate(candidate, traceIndex);
+                RememberedDot place = PlaceOf(candidate);
+                place.IsProvisional = true;
+                _memory.Add(place);
+                return;
+            }
+
+            Dot dot = _measurer.Measure(image, view, _planes.Factor, candidate, known, Noise);
             Trace?.Finish(candidate, view, dot.PositionPx, factor, known.Frames > 0, detections.Dots.Length);
             detections.Add(dot);
             Remember(view, candidate, dot, known);
         }
 
-        private LaserColor ColorOf(in Candidate candidate)
+        /// <summary>
+        /// What this frame does not decide comes last, by what speaks for it: one light may show in both planes, and the part of it that
+        /// was met first must not hide the rest.
+        /// </summary>
+        private void AddWaiting(Image image, in FrameView view, Detections detections)
         {
-            if (candidate.GreenCoherence >= _settings.ColorCoherence && candidate.GreenRise > 0 && candidate.RedHeadroom >= _settings.MinColorHeadroom)
-                return LaserColor.Green;
-            bool isRed = candidate.GreenCoherence <= -_settings.ColorCoherence && candidate.RedRise > 0;
-            return isRed && candidate.GreenHeadroom >= _settings.MinColorHeadroom ? LaserColor.Red : LaserColor.Unknown;
+            for (; _waitingCount > 0; _waitingCount--)
+            {
+                int best = 0;
+                for (int i = 1; i < _waitingCount; i++)
+                {
+                    if (_waiting[i].Candidate.LogOdds > _waiting[best].Candidate.LogOdds)
+                        best = i;
+                }
+
+                WaitingCandidate waiting = _waiting[best];
+                _waiting[best] = _waiting[_waitingCount - 1];
+                Candidate candidate = waiting.Candidate;
+                Dot dot = _measurer.Measure(image, view, _planes.Factor, candidate, default, Noise);
+                if (_memory.IsHaloOf(candidate, out double near, out double reach))
+                {
+                    var rejected = new RejectedCandidate { PositionPx = dot.PositionPx, Reason = RejectionReason.Duplicate, Value = near * _planes.Factor, Limit = reach * _planes.Factor };
+                    detections.Reject(rejected);
+                    Trace?.SettleWaiting(waiting.TraceIndex, rejected);
+                    continue;
+                }
+
+                Trace?.SettleWaiting(waiting.TraceIndex, dot.PositionPx, detections.Dots.Length);
+                detections.Add(dot);
+                Remember(view, candidate, dot, default);
+            }
         }
 
-        private static double AwayShare(Vector2D positionPx, Image image)
-        {
-            var center = new Vector2D((image.Width - 1) * 0.5, (image.Height - 1) * 0.5);
-            return (positionPx - center).Length / Math.Max(1, center.Length);
-        }
-
-        private void Remember(in FrameView view, in Candidate candidate, in Dot dot, in RememberedDot known)
+        private static RememberedDot PlaceOf(in Candidate candidate)
         {
             int margin = 2 + (Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top) + 1) / 2;
-            var remembered = new RememberedDot
+            return new RememberedDot
             {
                 Left = candidate.Left - margin,
                 Top = candidate.Top - margin,
                 Right = candidate.Right + margin,
                 Bottom = candidate.Bottom + margin,
-                Frames = candidate.IsOnset ? 1 : known.Frames + 1,
-                IsConclusive = candidate.IsConclusive,
-                Color = dot.Color,
-                LogOdds = candidate.LogOdds,
-                PeakRelativeRise = candidate.PeakRelativeRise,
-                Area = candidate.Area,
-                Plane = candidate.Plane,
-                PositionPx = dot.PositionPx,
-                MayBeContent = candidate.MayBeContent,
-                WasAboveContent = _judge.IsContentKnown && !candidate.MayBeContent,
             };
+        }
+
+        private void Remember(in FrameView view, in Candidate candidate, in Dot dot, in RememberedDot known)
+        {
+            RememberedDot remembered = PlaceOf(candidate);
+            remembered.Frames = candidate.IsOnset ? 1 : known.Frames + 1;
+            remembered.IsConclusive = candidate.IsConclusive;
+            remembered.Color = dot.Color;
+            remembered.LogOdds = candidate.LogOdds;
+            remembered.PeakRelativeRise = candidate.PeakRelativeRise;
+            remembered.Area = candidate.Area;
+            remembered.Plane = candidate.Plane;
+            remembered.PositionPx = dot.PositionPx;
+            remembered.MayBeContent = candidate.MayBeContent;
+            remembered.WasAboveContent = _judge.IsContentKnown && !candidate.MayBeContent;
             if (known.Frames == 0)
                 remembered.RememberPlace(view, candidate);
             else

@@ -25,7 +25,10 @@ namespace LaserTracking.Detection
         public double MinRiseSigmas { get; set; } = 6;
 
         /// <summary>Least rise of a candidate, share of the headroom 0…1.</summary>
-        public double MinRise { get; set; } = 0.12;
+        public double MinRise { get; set; } = 0.05;
+
+        /// <summary>Rise below which a candidate may not wait for proof, share of the headroom 0…1: much that is faint comes and goes.</summary>
+        public double FaintRise { get; set; } = 0.12;
 
         /// <summary>Least evidence of a candidate, log-odds −20…20: below, one reason is named. See DotEvidence.</summary>
         public double MinLogOdds { get; set; } = 0.4;
@@ -95,6 +98,7 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MinRiseLevels), MinRiseLevels, 1, 255);
             SettingCheck.InRange(nameof(MinRiseSigmas), MinRiseSigmas, 0, 100);
             SettingCheck.InRange(nameof(MinRise), MinRise, 0, 1);
+            SettingCheck.InRange(nameof(FaintRise), FaintRise, 0, 1);
             SettingCheck.InRange(nameof(MinLogOdds), MinLogOdds, -20, 20);
             SettingCheck.InRange(nameof(ConclusiveLogOdds), ConclusiveLogOdds, -20, 20);
             SettingCheck.InRange(nameof(MinAreaPx), MinAreaPx, 0, 10000);

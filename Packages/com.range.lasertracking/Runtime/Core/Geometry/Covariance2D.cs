@@ -21,6 +21,9 @@ namespace LaserTracking.Geometry
         /// <summary>The root of half the trace: the standard deviation along one axis when the ellipse is a circle.</summary>
         public double Sigma => Math.Sqrt(Math.Max(0, (XX + YY) / 2));
 
+        /// <summary>Of the sum of two independent errors.</summary>
+        public static Covariance2D operator +(Covariance2D a, Covariance2D b) => new Covariance2D(a.XX + b.XX, a.XY + b.XY, a.YY + b.YY);
+
         /// <summary>J C Jᵀ for the 2×2 matrix J = [[a, b], [c, d]]: the covariance after a (linearised) mapping.</summary>
         public Covariance2D Transform(double a, double b, double c, double d) => new Covariance2D(
             a * a * XX + 2 * a * b * XY + b * b * YY,

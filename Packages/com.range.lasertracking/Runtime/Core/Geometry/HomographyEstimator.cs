@@ -4,7 +4,7 @@ namespace LaserTracking.Geometry
 {
     /// <summary>
     /// Fits a homography to point pairs by the direct linear transform on normalised points (Hartley 1997). Refuses what has no
-    /// trustworthy answer and says why. For set-up, not for the frame loop: it allocates.
+    /// trustworthy answer and says why. <see cref="HomographyFit"/> refines it. For set-up, not for the frame loop: it allocates.
     /// </summary>
     public static class HomographyEstimator
     {
@@ -22,7 +22,7 @@ namespace LaserTracking.Geometry
             if (!CheckPoints(from, to, out reason))
                 return false;
 
-            Normalization fromScale = Normalization.Of(from), toScale = Normalization.Of(to);
+            PointNormalization fromScale = PointNormalization.Of(from), toScale = PointNormalization.Of(to);
             double[,] normal = NormalMatrix(from, fromScale, to, toScale);
             SymmetricEigen.Decompose(normal, out double[] values, out double[,] vectors);
             if (values[1] <= MinimumRelativeEigenvalue * values[8])
@@ -117,7 +117,7 @@ namespace LaserTracking.Geometry
             return reason.Length == 0;
         }
 
-        private static double[,] NormalMatrix(ReadOnlySpan<Vector2D> from, Normalization fromScale, ReadOnlySpan<Vector2D> to, Normalization toScale)
+        private static double[,] NormalMatrix(ReadOnlySpan<Vector2D> from, PointNormalization fromScale, ReadOnlySpan<Vector2D> to, PointNormalization toScale)
         {
             var normal = new double[9, 9];
             var row = new double[9];
@@ -141,35 +141,6 @@ namespace LaserTracking.Geometry
             }
 
             return normal;
-        }
-
-        /// <summary>Moves the centroid to the origin and scales the mean distance from it to √2.</summary>
-        private readonly struct Normalization
-        {
-            private readonly Vector2D _center;
-            private readonly double _scale;
-
-            private Normalization(Vector2D center, double scale)
-            {
-                _center = center;
-                _scale = scale;
-            }
-
-            public Homography Matrix => new Homography(new[] { _scale, 0, -_scale * _center.X, 0, _scale, -_scale * _center.Y, 0, 0, 1 });
-
-            public static Normalization Of(ReadOnlySpan<Vector2D> points)
-            {
-                Vector2D sum = default;
-                foreach (Vector2D p in points)
-                    sum += p;
-                Vector2D center = sum * (1.0 / points.Length);
-                double distance = 0;
-                foreach (Vector2D p in points)
-                    distance += (p - center).Length;
-                return new Normalization(center, distance > 0 ? Math.Sqrt(2) * points.Length / distance : 1);
-            }
-
-            public Vector2D Apply(Vector2D p) => (p - _center) * _scale;
         }
     }
 }

@@ -8,6 +8,11 @@ namespace LaserTracking.Geometry
     /// </summary>
     public sealed class InfraredMapping
     {
+        private const double SigmaWidthPx = 1920;
+
+        // How well points are marked by eye; with many points their own scatter tells.
+        private const double MarkedPx = 0.5;
+
         private readonly LensCamera? _infrared;
         private readonly LensCamera? _color;
         private readonly Homography _homography;
@@ -39,6 +44,23 @@ namespace LaserTracking.Geometry
         /// <summary>Points on the screen were marked in both pictures; the lenses stay uncorrected.</summary>
         public static InfraredMapping OfPlane(Homography infraredPxToColorPx) => new InfraredMapping(null, infraredPxToColorPx, null, 2);
 
+        /// <summary>Both lenses are known, and at least four points of the screen were marked in both pictures.</summary>
+        /// <param name="infrared">The infrared camera.</param>
+        /// <param name="color">The colour camera.</param>
+        /// <param name="infraredPx">Points of the screen, pixels of the infrared picture.</param>
+        /// <param name="colorPx">The same points, pixels of the colour picture.</param>
+        /// <param name="mapping">Null when refused.</param>
+        /// <param name="reason">Why it was refused, one line; empty on success.</param>
+        public static bool TryFitPlane(LensCamera infrared, LensCamera color, ReadOnlySpan<Vector2D> infraredPx, ReadOnlySpan<Vector2D> colorPx, out InfraredMapping? mapping, out string reason)
+        {
+            mapping = null;
+            if (!TryUnproject(infrared, infraredPx, out Vector2D[] infraredRays, out reason) || !TryUnproject(color, colorPx, out Vector2D[] colorRays, out reason)
+                || !HomographyFit.TryFit(infraredRays, colorRays, MarkedPx / color.Pinhole.FocalXPx, out HomographyFit? rays, out reason))
+                return false;
+            mapping = new InfraredMapping(infrared, rays!.Homography, color, rays.Sigma * color.Pinhole.FocalXPx * SigmaWidthPx / color.Pinhole.Width);
+            return true;
+        }
+
         /// <summary>Both cameras are known, the screen is taken to face the colour camera at this distance.</summary>
         /// <param name="infrared">The infrared camera.</param>
         /// <param name="color">The colour camera.</param>
@@ -51,28 +73,17 @@ namespace LaserTracking.Geometry
             return OnPlane(infrared, color, infraredToColorMm, new Vector3D(0, 0, 1), distanceMm);
         }
 
+        /// <summary>Both cameras are known, and the plane of the screen in the colour camera's space, mm.</summary>
+        public static InfraredMapping OnPlane(LensCamera infrared, LensCamera color, Pose infraredToColorMm, Plane3D plane) =>
+            OnPlane(infrared, color, infraredToColorMm, plane.Normal, plane.Distance);
+
         /// <summary>Both cameras are known, and where the screen lies in the colour picture: that gives its plane.</summary>
         /// <exception cref="ArgumentException">The screen's corners lie outside what the colour camera's lens model covers.</exception>
         public static InfraredMapping OnScreen(LensCamera infrared, LensCamera color, Pose infraredToColorMm, ScreenGeometry screen)
         {
-            Vector2D size = screen.ScreenSizeM * 1000;
-            Vector2D[] corners = { new Vector2D(0, 0), new Vector2D(size.X, 0), size, new Vector2D(0, size.Y) };
-            Vector2D[] rays = screen.CornersPx;
-            for (int i = 0; i < rays.Length; i++)
-            {
-                if (!color.TryUnproject(rays[i], out rays[i]))
-                    throw new ArgumentException("corner " + i + " of the screen lies outside what the colour camera's lens model covers", nameof(screen));
-            }
-
-            if (!HomographyEstimator.TryFit(corners, rays, out Homography screenToRay, out string reason))
-                throw new ArgumentException(reason, nameof(screen));
-
-            // The columns are the screen's axes and its origin in camera space, up to scale (Zhang 2000).
-            double[] h = screenToRay.ToArray();
-            Vector3D x = new Vector3D(h[0], h[3], h[6]), y = new Vector3D(h[1], h[4], h[7]), origin = new Vector3D(h[2], h[5], h[8]);
-            double scale = 2 / (x.Length + y.Length);
-            Vector3D normal = Vector3D.Cross(x, y).Normalized;
-            return OnPlane(infrared, color, infraredToColorMm, normal, Vector3D.Dot(normal, origin) * scale);
+            return ScreenPlane.TryFromSize(screen, color, out ScreenPlane? plane, out string reason)
+                ? OnPlane(infrared, color, infraredToColorMm, plane!.Plane)
+                : throw new ArgumentException(reason, nameof(screen));
         }
 
         /// <summary>False where a lens model does not reach or the plane is not seen.</summary>
@@ -98,6 +109,21 @@ namespace LaserTracking.Geometry
                 x.Z + t.Z * nx, y.Z + t.Z * ny, z.Z + t.Z * nz,
             });
             return new InfraredMapping(infrared, homography, color, 0.4);
+        }
+
+        private static bool TryUnproject(LensCamera camera, ReadOnlySpan<Vector2D> px, out Vector2D[] rays, out string reason)
+        {
+            rays = new Vector2D[px.Length];
+            for (int i = 0; i < rays.Length; i++)
+            {
+                if (camera.TryUnproject(px[i], out rays[i]))
+                    continue;
+                reason = FormattableString.Invariant($"point {i + 1} lies outside what the lens model covers");
+                return false;
+            }
+
+            reason = string.Empty;
+            return true;
         }
 
         private static bool IsOf(LensCamera? camera, int width, int height) => camera == null || (camera.Pinhole.Width == width && camera.Pinhole.Height == height);

@@ -30,13 +30,20 @@ namespace LaserTracking.Geometry
             if (from.Length == 0)
                 return default;
             var errors = new double[from.Length];
-            double squares = 0;
             for (int i = 0; i < errors.Length; i++)
-            {
                 errors[i] = (homography.Map(from[i]) - to[i]).Length * factor;
-                squares += errors[i] * errors[i];
-            }
 
+            return Of(errors);
+        }
+
+        /// <summary>Of distances; sorts them.</summary>
+        public static PointErrors Of(double[] errors)
+        {
+            if (errors.Length == 0)
+                return default;
+            double squares = 0;
+            foreach (double error in errors)
+                squares += error * error;
             Array.Sort(errors);
             int last = errors.Length - 1;
             double median = (errors[last / 2] + errors[(last + 1) / 2]) / 2;

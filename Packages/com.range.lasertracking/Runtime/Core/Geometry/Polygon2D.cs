@@ -30,6 +30,31 @@ namespace LaserTracking.Geometry
             return nearest;
         }
 
+        /// <summary>The corners of the smallest convex polygon around the points, clockwise in a picture (Andrew 1979). Allocates.</summary>
+        public static Vector2D[] ConvexHull(ReadOnlySpan<Vector2D> points)
+        {
+            Vector2D[] sorted = points.ToArray();
+            Array.Sort(sorted, (a, b) => a.X != b.X ? a.X.CompareTo(b.X) : a.Y.CompareTo(b.Y));
+            var hull = new Vector2D[2 * sorted.Length + 1];
+            int count = 0;
+            for (int pass = 0; pass < 2; pass++)
+            {
+                int start = count;
+                foreach (Vector2D p in sorted)
+                {
+                    while (count >= start + 2 && Vector2D.Cross(hull[count - 1] - hull[count - 2], p - hull[count - 1]) <= 0)
+                        count--;
+                    hull[count++] = p;
+                }
+
+                // The last point of one chain is the first of the other.
+                count = Math.Max(start, count - 1);
+                Array.Reverse(sorted);
+            }
+
+            return hull[..count];
+        }
+
         private static double DistanceToSegment(Vector2D a, Vector2D b, Vector2D point)
         {
             Vector2D edge = b - a;

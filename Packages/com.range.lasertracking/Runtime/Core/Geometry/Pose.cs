@@ -14,6 +14,9 @@ namespace LaserTracking.Geometry
 
         public static Pose Identity => new Pose(default, Rotation3D.Identity);
 
+        /// <summary>The parent's pose in the child's frame of reference.</summary>
+        public Pose Inverse => new Pose(InverseTransformPoint(default), Rotation.Inverse);
+
         public Vector3D TransformPoint(Vector3D local) => Rotation * local + Position;
 
         public Vector3D InverseTransformPoint(Vector3D point) => Rotation.Inverse * (point - Position);

@@ -40,6 +40,25 @@ namespace LaserTracking.Geometry
             return new Rotation3D(unit.X * s, unit.Y * s, unit.Z * s, Math.Cos(angleRad / 2));
         }
 
+        /// <summary>From a rotation vector: axis times angle in radians. <see cref="Rodrigues"/> has the derivatives.</summary>
+        public static Rotation3D FromVector(Vector3D vector) => AboutAxis(vector, vector.Length);
+
+        /// <summary>The rotation vector, axis times angle in radians, no longer than π; at π either of two opposite ones.</summary>
+        public Vector3D ToVector()
+        {
+            var q = new Vector3D(X, Y, Z);
+            double sine = q.Length, sign = W < 0 ? -1 : 1;
+            return sine > 0 ? q * (sign * 2 * Math.Atan2(sine, Math.Abs(W)) / sine) : default;
+        }
+
+        /// <summary>The 3×3 matrix, row by row.</summary>
+        public double[] ToMatrix() => new[]
+        {
+            1 - 2 * (Y * Y + Z * Z), 2 * (X * Y - W * Z), 2 * (X * Z + W * Y),
+            2 * (X * Y + W * Z), 1 - 2 * (X * X + Z * Z), 2 * (Y * Z - W * X),
+            2 * (X * Z - W * Y), 2 * (Y * Z + W * X), 1 - 2 * (X * X + Y * Y),
+        };
+
         /// <summary>From a 3×3 matrix, row by row. False unless it is orthonormal (within 1e-4) with determinant +1.</summary>
         public static bool TryFromMatrix(ReadOnlySpan<double> m, out Rotation3D rotation)
         {

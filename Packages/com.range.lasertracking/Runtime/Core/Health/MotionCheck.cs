@@ -6,124 +6,132 @@ using LaserTracking.Session;
 namespace LaserTracking.Health
 {
     /// <summary>
-    /// Whether the camera was bumped: most blocks of the picture that have something to see are displaced by the same amount, and stay
-    /// so. Things that move displace a few blocks, or not for long.
+    /// Whether the camera was bumped or drifts. Where the screen is known its edges tell, whatever is projected; otherwise most blocks of
+    /// the picture that have something to see must be displaced by the same amount. Either must last: things that move displace a part
+    /// only, or not for long.
     /// </summary>
     internal sealed class MotionCheck
     {
-        /// <summary>Blocks looked at in a frame: a look at the whole picture takes six frames.</summary>
-        private const int BlocksAFrame = 2;
+        /// <summary>Frames in which all of the picture is looked at once.</summary>
+        private const int FramesALook = 6;
 
         private const long SayAgainUs = 5_000_000;
+
+        /// <summary>A displacement that still grows is said after this time all the same.</summary>
+        private const long GrowingUs = 3_000_000;
 
         /// <summary>Looks in a row that must agree, and looks without an answer until the picture to compare with is renewed.</summary>
         private const int LooksToAgree = 4, LooksToRenew = 10;
 
-        private const double AgreeBins = 0.75, StableBins = 0.3, LeastAgreement = 0.6;
-        private const int LeastLists = 3;
+        private const double StableBins = 0.3;
+
+        /// <summary>How much of the least displacement must be added to one that was said to be said again.</summary>
+        private const double AgainFactor = 2;
 
         private readonly PictureMonitorSettings _settings;
-        private readonly double[][] _shifts = { new double[ShiftProfiles.Blocks], new double[ShiftProfiles.Blocks] };
-        private readonly double[] _sorted = new double[ShiftProfiles.Blocks];
-        private readonly int[] _counts = new int[2];
-        private ShiftProfiles _reference = new ShiftProfiles();
-        private ShiftProfiles _now = new ShiftProfiles();
+        private readonly BlockMotion _blocks = new BlockMotion();
+        private readonly EdgeMotion _edges = new EdgeMotion();
+        private Vector2D[] _outlinePx = Array.Empty<Vector2D>();
         private Vector2D _last;
-        private int _agreed;
+        private Vector2D _restingAt;
+        private Vector2D _said;
+        private int _stable;
+        private int _resting;
         private int _unanswered;
-        private int _block;
+        private int _frame;
         private bool _hasReference;
+        private bool _byEdges;
+        private long _sinceUs = long.MinValue;
         private long _saidUs = long.MinValue;
 
         public MotionCheck(PictureMonitorSettings settings) => _settings = settings;
 
+        /// <summary>The screen's outline in the picture; no corners: not known.</summary>
+        public void SetScreen(Vector2D[] outlinePx)
+        {
+            _outlinePx = (Vector2D[])outlinePx.Clone();
+            Reset();
+        }
+
         public void Reset()
         {
             _hasReference = false;
-            _block = _agreed = _unanswered = _counts[0] = _counts[1] = 0;
+            _frame = _stable = _resting = _unanswered = 0;
+            _said = default;
+            _sinceUs = long.MinValue;
         }
 
         public void Update(Image image, HealthWriter health)
         {
-            for (int i = 0; i < BlocksAFrame; i++, _block++)
-            {
-                if (!_now.TryFill(image, _block))
-                    return;
-                if (_hasReference)
-                    Match(2 * _block);
-            }
-
-            if (_block < ShiftProfiles.Blocks)
+            if (_frame == 0 && !_hasReference)
+                _byEdges = _outlinePx.Length > 2 && _edges.TryLay(_outlinePx, image.Width, image.Height);
+            if (!(_byEdges ? _edges.Look(image, _frame, FramesALook, !_hasReference) : _blocks.Look(image, _frame, FramesALook, _hasReference)))
                 return;
-            _block = 0;
+            if (++_frame < FramesALook)
+                return;
+            _frame = 0;
             if (_hasReference)
                 Judge(health);
-            else
-                Renew();
+            else if (!_byEdges)
+                _blocks.Renew();
             _hasReference = true;
-            _counts[0] = _counts[1] = 0;
-        }
-
-        private void Match(int list)
-        {
-            for (int axis = 0; axis < 2; axis++)
-            {
-                if (_now.TryMatch(_reference, list + axis, out double found))
-                    _shifts[axis][_counts[axis]++] = found;
-            }
         }
 
         private void Judge(HealthWriter health)
         {
-            bool isX = TryAgree(0, out double x), isY = TryAgree(1, out double y);
-            if (!isX && !isY)
+            Vector2D shift;
+            double largest;
+            if (!(_byEdges ? _edges.TryAgree(out shift, out largest) : _blocks.TryAgree(out shift, out largest)))
             {
-                _agreed = 0;
+                _stable = _resting = 0;
                 if (++_unanswered >= LooksToRenew)
                     Renew();
                 return;
             }
 
             _unanswered = 0;
-            var shift = new Vector2D(isX ? x : 0, isY ? y : 0);
-            bool isStable = shift.Length >= _settings.ShiftPx && (_agreed == 0 || (shift - _last).Length <= StableBins);
-            _agreed = isStable ? _agreed + 1 : 0;
+            _stable = (shift - _last).Length <= StableBins ? _stable + 1 : 0;
             _last = shift;
+            _resting = (shift - _restingAt).Length <= StableBins ? _resting + 1 : 0;
+            if (_resting == 0)
+                _restingAt = shift;
             long now = health.TimeUs;
-            if (_agreed < LooksToAgree || (_saidUs != long.MinValue && now - _saidUs < SayAgainUs && now >= _saidUs))
+            double least = _settings.ShiftPx * (_said.Equals(default) ? 1 : AgainFactor);
+            if (Math.Max(largest - _said.Length, (shift - _said).Length) < least)
+            {
+                _sinceUs = long.MinValue;
+                return;
+            }
+
+            if (_sinceUs == long.MinValue || now < _sinceUs)
+                _sinceUs = now;
+
+            // What has come to rest is said with its whole length; what creeps on is said in time.
+            bool isDue = _resting >= LooksToAgree || (_stable >= LooksToAgree && now - _sinceUs >= GrowingUs);
+            if (!isDue || (_saidUs != long.MinValue && now - _saidUs < SayAgainUs && now >= _saidUs))
                 return;
             _saidUs = now;
-            double px = shift.Length * _now.BinPx;
-            health.Say(HealthKind.CameraMoved, px, FormattableString.Invariant($"the camera was moved: its picture has shifted by {px:F1} px; calibrate again"));
-            Renew();
+            _said = shift;
+            _sinceUs = long.MinValue;
+            int binPx = _byEdges ? _edges.BinPx : _blocks.BinPx;
+            double px = Math.Max(largest, shift.Length) * binPx;
+            string way = shift.Length > 0.5 * largest
+                ? FormattableString.Invariant($"has shifted by {px:F1} px {Compass.Of(shift)} ({shift.X * binPx:+0.0;-0.0}, {shift.Y * binPx:+0.0;-0.0})")
+                : FormattableString.Invariant($"has turned, by {px:F1} px at its corners");
+            health.Say(HealthKind.CameraMoved, px, "the camera was moved: its picture " + way + "; calibrate again");
+            if (!_byEdges)
+                Renew();
         }
 
         private void Renew()
         {
-            (_reference, _now) = (_now, _reference);
-            _agreed = _unanswered = 0;
-        }
-
-        private bool TryAgree(int axis, out double shift)
-        {
-            int count = _counts[axis];
-            double[] shifts = _shifts[axis];
-            shift = 0;
-            if (count < LeastLists)
-                return false;
-            Array.Copy(shifts, _sorted, count);
-            Array.Sort(_sorted, 0, count);
-            double middle = _sorted[count / 2];
-            int agreed = 0;
-            for (int i = 0; i < count; i++)
-            {
-                if (Math.Abs(shifts[i] - middle) > AgreeBins)
-                    continue;
-                agreed++;
-                shift += (shifts[i] - shift) / agreed;
-            }
-
-            return agreed >= LeastLists && agreed >= LeastAgreement * count;
+            _unanswered = _stable = _resting = 0;
+            _said = default;
+            _sinceUs = long.MinValue;
+            if (_byEdges)
+                _hasReference = false;
+            else
+                _blocks.Renew();
         }
     }
 }

@@ -43,6 +43,7 @@ namespace LaserTracking.Health
         public void SetScreenPolygon(Vector2D[] cornersPx)
         {
             _screen.Set(cornersPx);
+            _motion.SetScreen(cornersPx);
             _grid.Reset();
         }
 

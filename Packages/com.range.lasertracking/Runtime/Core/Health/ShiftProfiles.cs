@@ -22,9 +22,6 @@ namespace LaserTracking.Health
         /// <summary>Mean square slope of a list worth matching: several times that of eight noisy pixels.</summary>
         private const long LeastSlope = 300;
 
-        private const double LeastFit = 0.8;
-        private const double StillFit = 0.95;
-
         private int[] _sums = Array.Empty<int>();
 
         /// <summary>Slopes: for each block its list along x, then its list along y.</summary>
@@ -71,63 +68,7 @@ namespace LaserTracking.Health
         }
 
         /// <summary>Displacement of a list against an earlier one, bins; false where there is too little to see or nothing fits.</summary>
-        public bool TryMatch(ShiftProfiles earlier, int list, out double shift)
-        {
-            shift = 0;
-            int[] now = Slopes[list], then = earlier.Slopes[list];
-            if (now.Length != then.Length)
-                return false;
-            int first = Reach + 1, end = now.Length - Reach - 1;
-            long energy = 0;
-            for (int i = first; i < end; i++)
-                energy += (long)then[i] * then[i];
-            if (energy < LeastSlope * (end - first))
-                return false;
-            double best = Fit(now, then, 0, first, end, energy), before = Fit(now, then, -1, first, end, energy), after = Fit(now, then, 1, first, end, energy), last = 0;
-            int at = 0;
-
-            // Nearly always nothing has moved: then the search is spared.
-            bool isAtRest = best >= StillFit && best > before && best > after;
-            if (!isAtRest)
-            {
-                best = before = after = 0;
-                at = int.MinValue;
-            }
-
-            for (int d = -Reach; d <= Reach && !isAtRest; d++)
-            {
-                double fit = Fit(now, then, d, first, end, energy);
-                if (at == d - 1)
-                    after = fit;
-                if (fit > best)
-                {
-                    best = fit;
-                    before = last;
-                    after = 0;
-                    at = d;
-                }
-
-                last = fit;
-            }
-
-            if (best < LeastFit || at == -Reach || at == Reach)
-                return false;
-            double bend = before - 2 * best + after;
-            shift = at + (bend < 0 ? 0.5 * (before - after) / bend : 0);
-            return true;
-        }
-
-        private static double Fit(int[] now, int[] then, int d, int first, int end, long energy)
-        {
-            long product = 0, square = 0;
-            for (int i = first; i < end; i++)
-            {
-                int value = now[i + d];
-                product += (long)value * then[i];
-                square += (long)value * value;
-            }
-
-            return square == 0 ? 0 : product / Math.Sqrt((double)square * energy);
-        }
+        public bool TryMatch(ShiftProfiles earlier, int list, out double shift) =>
+            SlopeMatch.TryFind(Slopes[list], earlier.Slopes[list], Reach, LeastSlope, out shift);
     }
 }

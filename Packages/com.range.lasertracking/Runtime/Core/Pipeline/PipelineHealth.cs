@@ -47,7 +47,7 @@ namespace LaserTracking.Pipeline
             _health = new HealthWriter(sink);
             _monitor = new PictureMonitor(sink, settings.Monitor);
             if (screen != null)
-                _monitor.SetScreenPolygon(screen.CornersPx);
+                _monitor.SetScreenPolygon(screen.OutlinePx);
             if (settings.Advisor != null && detector is ShotDetector shots)
                 _advisor = new DetectionAdvisor(shots, settings.Advisor, screen);
         }

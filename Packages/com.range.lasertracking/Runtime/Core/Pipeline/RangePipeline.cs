@@ -60,7 +60,7 @@ namespace LaserTracking.Pipeline
             _sink = sink;
             _health = new PipelineHealth(_settings, sink, detector, calibration?.Screen);
             if (calibration != null)
-                detector.SetScreenPolygon(calibration.Screen.CornersPx);
+                detector.SetScreenPolygon(calibration.Screen.OutlinePx);
         }
 
         /// <summary>The pipeline as live, replay and simulation use it: every step with its defaults, hands and shooters where camera 1 is there.</summary>
@@ -182,12 +182,12 @@ namespace LaserTracking.Pipeline
                 var shot = new ShotEvent { Shot = shots[i] };
                 if (_calibration != null)
                 {
-                    shot.HasScreenPosition = true;
+                    shot.HasScreenPosition = _shotsOnScreenM[i].IsFinite;
                     shot.ScreenM = _shotsOnScreenM[i];
                     shot.ScreenCovarianceMm2 = _calibration.Screen.ToScreenMm2(shots[i].Dot.PositionPx, shots[i].Dot.CovariancePx);
                     if (_fusion != null)
                         AddShooter(_fused[i], ref shot);
-                    if (_scorer != null)
+                    if (_scorer != null && shot.HasScreenPosition)
                         AddHit(_scorer, ref shot);
                 }
 

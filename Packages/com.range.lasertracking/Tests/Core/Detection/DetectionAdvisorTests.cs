@@ -23,13 +23,14 @@ namespace LaserTracking.Detection
             Assert.That(Found(levels * 0.4), Is.LessThanOrEqualTo(1), "dimmer ones are not");
         }
 
-        [Test]
-        public void Advisor_NoisyWall_NeedsMoreThanAQuietOne()
+        [TestCase(6, 1)]
+        [TestCase(12, 1.2)]
+        public void Advisor_NoisyWall_NeedsMoreThanAQuietOne(double noiseSigma, double factor)
         {
             var noisy = new DetectionRun();
-            noisy.Builder.NoiseSigma = 12;
+            noisy.Builder.NoiseSigma = noiseSigma;
             DetectionAdvice quiet = Advise(new DetectionRun(), (b, i) => b.Wall(60, 60, 60)), loud = Advise(noisy, (b, i) => b.Wall(60, 60, 60));
-            Assert.That(loud.DimmestLevels, Is.GreaterThan(1.2 * quiet.DimmestLevels));
+            Assert.That(loud.DimmestLevels, Is.GreaterThan(factor * quiet.DimmestLevels));
         }
 
         [Test]

@@ -19,6 +19,57 @@ namespace LaserTracking.Geometry
             Assert.That(read.ImageWidth, Is.EqualTo(1280));
         }
 
+        [Test]
+        public void RangeCalibrationFile_WithLensAndUncertainty_IsTheSame()
+        {
+            RangeCalibration written = WithLens();
+            RangeCalibration read = RangeCalibrationFile.Parse(RangeCalibrationFile.Format(written), "test");
+            var pixel = new Vector2D(400, 300);
+            Assert.That((read.Screen.ToScreenM(pixel) - written.Screen.ToScreenM(pixel)).Length, Is.LessThan(1e-9));
+            Covariance2D expected = written.Screen.ToScreenMm2(pixel, default), found = read.Screen.ToScreenMm2(pixel, default);
+            Assert.That(expected.XX, Is.GreaterThan(1e-4));
+            Assert.That(new[] { found.XX, found.XY, found.YY }, Is.EqualTo(new[] { expected.XX, expected.XY, expected.YY }).Within(1e-6 * expected.XX));
+        }
+
+        [TestCase("\"v\": 1", "\"v\": 2", "newer release")]
+        [TestCase("\"v\": 1", "\"v\": 1e99", "v is no version")]
+        [TestCase("\"v\": 1", "\"v\": 0", "v is no version")]
+        [TestCase("\"dist\"", "\"distortion\"", "dist")]
+        [TestCase("\"K\"", "\"k\"", "K")]
+        [TestCase("-0.28", "\"x\"", "dist, element 1")]
+        [TestCase("-0.28", "-28.0", "no screen in the picture")]
+        [TestCase("905.0", "-905.0", "focal")]
+        [TestCase("\"corners_cov_px2\": [", "\"corners_cov_px2\": [[1],", "corners_cov_px2")]
+        public void RangeCalibrationFile_BadLensOrVersion_IsNamedInOneLine(string good, string bad, string named)
+        {
+            string valid = RangeCalibrationFile.Format(WithLens()), text = valid.Replace(good, bad);
+            Assert.That(text, Is.Not.EqualTo(valid));
+            InputException? problem = Assert.Throws<InputException>(() => RangeCalibrationFile.Parse(text, "screen.json"));
+            Assert.That(problem!.Message, Does.StartWith("screen.json: ").And.Contain(named));
+            Assert.That(problem.Message, Does.Not.Contain("\n"));
+        }
+
+        [Test]
+        public void RangeCalibrationFile_BrokenBytes_AreRefusedOrRead()
+        {
+            byte[] valid = System.Text.Encoding.UTF8.GetBytes(RangeCalibrationFile.Format(WithLens()));
+            var random = new Random(5);
+            for (int i = 0; i < 400; i++)
+            {
+                var bytes = (byte[])valid.Clone();
+                for (int change = random.Next(1, 4); change > 0; change--)
+                    bytes[random.Next(bytes.Length)] = (byte)random.Next(32, 127);
+                try
+                {
+                    RangeCalibrationFile.Parse(System.Text.Encoding.UTF8.GetString(bytes, 0, i % 4 == 0 ? random.Next(bytes.Length) : bytes.Length), "screen.json");
+                }
+                catch (InputException problem)
+                {
+                    Assert.That(problem.Message, Does.Not.Contain("\n"));
+                }
+            }
+        }
+
         [TestCase("\"kind\": \"screen\"", "\"kind\": \"stereo\"", "kind")]
         [TestCase("3.73", "\"NaN\"", "screen_m")]
         [TestCase("3.73", "NaN", "screen_m")]
@@ -59,6 +110,17 @@ namespace LaserTracking.Geometry
             }
 
             Assert.That(Rotation3D.TryFromMatrix(new double[] { 1, 0, 0, 0, 1, 0, 0, 0, -1 }, out _), Is.False);
+        }
+
+        private static RangeCalibration WithLens()
+        {
+            var camera = new LensCamera(new PinholeCamera(905, 906, 640, 360, 1280, 720), BrownDistortion.FromOpenCv(new[] { -0.28, 0.09, 0.001, -0.0007, -0.012 }));
+            var screen = new ScreenGeometry(new Homography(new[] { 0.003, 0.0001, -0.4, 0.0002, 0.003, -0.3, 1e-5, 2e-5, 1 }), new Vector2D(3.73, 2.26), camera);
+            var covariance = new double[8, 8];
+            for (int i = 0; i < 8; i++)
+                covariance[i, i] = 0.04;
+            Assert.That(HomographyUncertainty.TryFromAnchors(screen.ImageToScreen.Inverse, ScreenGeometry.CornersOf(screen.ScreenSizeM), covariance, out HomographyUncertainty? uncertainty, out string reason), Is.True, reason);
+            return new RangeCalibration(new ScreenGeometry(screen.ImageToScreen, screen.ScreenSizeM, camera, uncertainty), 1280, 720, null);
         }
 
         private static RangeCalibration Example()

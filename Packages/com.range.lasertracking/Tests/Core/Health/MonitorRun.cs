@@ -59,6 +59,11 @@ namespace LaserTracking.Health
         public MonitorRun Play(SimulationScenario scenario)
         {
             using IFrameSource source = new SimulatedRange(scenario, SimulationScenes.Default()).CreateColorSource();
+            return Play(source);
+        }
+
+        public MonitorRun Play(IFrameSource source)
+        {
             while (source.TryRead(_frame))
                 Monitor.Process(_frame);
             return this;

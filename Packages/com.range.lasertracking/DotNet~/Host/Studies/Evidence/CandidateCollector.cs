@@ -21,6 +21,9 @@ namespace LaserTracking.Host.Studies.Evidence
         /// <summary>What was lit before is judged by memory, not by evidence.</summary>
         private const float MinFreshness = 0.5f;
 
+        /// <summary>Curves learned from fainter ones too found fewer shots on the clips: what is faint and no dot is too much like what is.</summary>
+        private static readonly float MinRise = (float)new ShotDetectorSettings().FaintRise;
+
         private readonly ShotDetector _detector = new() { Trace = new DetectionTrace() };
         private readonly Detections _detections = new();
         private readonly List<(int Frame, Vector2D PositionPx, float[] Features, double LogOdds)> _weighed = new();
@@ -37,7 +40,7 @@ namespace LaserTracking.Host.Studies.Evidence
             foreach (ExaminedCandidate candidate in trace.Candidates)
             {
                 ReadOnlySpan<TestOutcome> evidence = trace.EvidenceOf(candidate);
-                if (evidence.IsEmpty || evidence[(int)DotFeature.Freshness].Value < MinFreshness)
+                if (evidence.IsEmpty || evidence[(int)DotFeature.Freshness].Value < MinFreshness || evidence[(int)DotFeature.Rise].Value < MinRise)
                     continue;
                 var features = new float[evidence.Length];
                 double logOdds = DetectionTrace.BaseLogOdds;

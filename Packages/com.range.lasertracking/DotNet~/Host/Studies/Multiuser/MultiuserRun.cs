@@ -21,6 +21,9 @@ namespace LaserTracking.Host.Studies.Multiuser
         private const int FrameTolerance = 2;
         private const double DotPx = 6;
 
+        /// <summary>A palm farther off is somebody else's.</summary>
+        private const double OwnHandMm = 300;
+
         /// <summary>Numbers of dots whose shooter is not known: apart from all shooters'.</summary>
         private const int NobodysTracks = 1000;
 
@@ -137,7 +140,7 @@ namespace LaserTracking.Host.Studies.Multiuser
                 {
                     TrueHand hand = _range.Truth.HandAt(shooter, _range.Truth.DepthFrameTimeUs(frame));
                     if (IsInView(hand) && IsRaised(hand))
-                        PalmErrorsMm.Add(byFrame[frame].Select(h => (h.PalmM - hand.PalmM).Length * 1000).Append(double.PositiveInfinity).Min());
+                        PalmErrorsMm.Add(byFrame[frame].Select(h => (h.PalmM - hand.PalmM).Length * 1000).Where(error => error < OwnHandMm).Append(double.PositiveInfinity).Min());
                 }
             }
         }

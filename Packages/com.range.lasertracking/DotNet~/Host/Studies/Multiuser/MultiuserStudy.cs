@@ -45,7 +45,7 @@ namespace LaserTracking.Host.Studies.Multiuser
 
             table.Notes.InsertRange(0, CalibrationCurve.Describe(named));
             table.Notes.Add("dots from the truth but for \"whole pipeline\"; right: numbers stand for people one to one; switches: a person's number differs from their last named shot; MOTA and IDF1 of dots under their shooter's number");
-            table.Notes.Add("muzzle where forearm, hand and muzzle are in view and the shooter is right; palm over raised weapon hands in view, any hand nearest; intervals 95 % (Wilson)");
+            table.Notes.Add("muzzle where forearm, hand and muzzle are in view and the shooter is right; palm over raised weapon hands in view, the nearest hand within 0.3 m; intervals 95 % (Wilson)");
             return table;
         }
 

@@ -8,7 +8,8 @@ namespace LaserTracking.Capture.AzureKinect
 {
     /// <summary>
     /// A device's factory calibration, as recordings carry it (calibration.json), made concrete for the modes of a recording: the
-    /// cameras of its infrared and colour pictures and how they stand to each other. Immutable.
+    /// cameras of its infrared and colour pictures and how its sensors stand to each other. <see cref="KinectTransformation"/> maps with it.
+    /// Immutable.
     /// </summary>
     public sealed class KinectCalibration
     {
@@ -17,12 +18,17 @@ namespace LaserTracking.Capture.AzureKinect
         private const int ColorFullWidth = 4096;
         private const int ColorFullHeight = 3072;
         private const double DefaultRadius = 1.7;
+        private const double LeastRadius = 0.0001;
 
-        private KinectCalibration(LensCamera infrared, LensCamera color, Pose infraredToColorMm)
+        private readonly Pose?[] _fromDepth;
+
+        private KinectCalibration((LensCamera Camera, KinectLensCheck Check) infrared, (LensCamera Camera, KinectLensCheck Check) color, Pose?[] fromDepth)
         {
-            Infrared = infrared;
-            Color = color;
-            InfraredToColorMm = infraredToColorMm;
+            Infrared = infrared.Camera;
+            Color = color.Camera;
+            InfraredCheck = infrared.Check;
+            ColorCheck = color.Check;
+            _fromDepth = fromDepth;
         }
 
         /// <summary>Depth pictures have it too.</summary>
@@ -30,8 +36,22 @@ namespace LaserTracking.Capture.AzureKinect
 
         public LensCamera Color { get; }
 
+        internal KinectLensCheck InfraredCheck { get; }
+
+        internal KinectLensCheck ColorCheck { get; }
+
         /// <summary>X_color = R X_infrared + T, mm.</summary>
-        public Pose InfraredToColorMm { get; }
+        public Pose InfraredToColorMm => _fromDepth[(int)KinectSensor.Color]!.Value;
+
+        /// <summary>X_target = R X_source + T, mm; false when the file does not say where one of the two sits (motion sensors only).</summary>
+        public bool TryGetPose(KinectSensor source, KinectSensor target, out Pose sourceToTargetMm)
+        {
+            sourceToTargetMm = Pose.Identity;
+            if (!(_fromDepth[(int)source] is Pose from) || !(_fromDepth[(int)target] is Pose to))
+                return false;
+            sourceToTargetMm = source == target ? Pose.Identity : to * from.Inverse;
+            return true;
+        }
 
         /// <param name="json">The attachment's bytes; a zero at the end is accepted.</param>
         /// <param name="depthMode">Mode of the infrared pictures.</param>
@@ -49,9 +69,9 @@ namespace LaserTracking.Capture.AzureKinect
                 (int width, int height) = KinectDepthModes.SizeOf(depthMode);
                 if (width == 0 || colorWidth <= 0 || colorHeight <= 0)
                     throw new FormatException("there are no infrared or no colour pictures");
-                Pose fromDepth = Rig(depth), fromColor = Rig(color);
-                var back = new Pose(fromDepth.InverseTransformPoint(default), fromDepth.Rotation.Inverse);
-                calibration = new KinectCalibration(InfraredCamera(depth, depthMode, width, height), ColorCamera(color, colorWidth, colorHeight), fromColor * back);
+                Pose origin = Rig(depth).Inverse;
+                var fromDepth = new Pose?[] { Pose.Identity, Rig(color) * origin, MotionSensor(root, "Gyro", origin), MotionSensor(root, "Accelerometer", origin) };
+                calibration = new KinectCalibration(InfraredCamera(depth, depthMode, width, height), ColorCamera(color, colorWidth, colorHeight), fromDepth);
                 reason = string.Empty;
                 return true;
             }
@@ -62,7 +82,7 @@ namespace LaserTracking.Capture.AzureKinect
             }
         }
 
-        private static LensCamera InfraredCamera(JToken camera, KinectDepthMode mode, int width, int height)
+        private static (LensCamera Camera, KinectLensCheck Check) InfraredCamera(JToken camera, KinectDepthMode mode, int width, int height)
         {
             // The narrow modes show a part of the sensor, the binned ones every second pixel of it.
             bool isNarrow = mode == KinectDepthMode.NfovUnbinned || mode == KinectDepthMode.Nfov2x2Binned;
@@ -70,32 +90,50 @@ namespace LaserTracking.Capture.AzureKinect
             return Lens(camera, DepthSide, DepthSide, 0, isNarrow ? 192 : 0, isNarrow ? 180 : 0, scale, width, height);
         }
 
-        private static LensCamera ColorCamera(JToken camera, int width, int height)
+        private static (LensCamera Camera, KinectLensCheck Check) ColorCamera(JToken camera, int width, int height)
         {
             // A sensor stated at 16:9 is the middle of the full one; so are pictures of that shape.
             int sensorHeight = Integer(camera, "SensorHeight"), sensorWidth = Integer(camera, "SensorWidth");
-            if (sensorWidth <= 0 || sensorHeight <= 0)
-                throw new FormatException("the colour sensor has no size");
+            if (sensorWidth <= 0 || sensorHeight <= 0 || (sensorWidth * 9L != sensorHeight * 16L && sensorWidth * 3L != sensorHeight * 4L))
+                throw new FormatException("the colour sensor is neither of shape 4:3 nor 16:9");
             double stated = (double)ColorFullWidth * sensorHeight / sensorWidth, scale = width / (double)ColorFullWidth;
             double shown = height / scale;
             return Lens(camera, ColorFullWidth, stated, (ColorFullHeight - stated) / 2, 0, (ColorFullHeight - shown) / 2, scale, width, height);
         }
 
-        private static LensCamera Lens(JToken camera, double sensorWidth, double sensorHeight, double addY, double cropX, double cropY, double scale, int width, int height)
+        private static (LensCamera Camera, KinectLensCheck Check) Lens(JToken camera, double sensorWidth, double sensorHeight, double addY, double cropX, double cropY, double scale, int width, int height)
         {
             JToken intrinsics = camera["Intrinsics"] ?? throw new FormatException("a camera has no intrinsics");
             string model = (string?)intrinsics["ModelType"] ?? "none";
-            if (model != "CALIBRATION_LensDistortionModelBrownConrady")
+            bool isRational6 = model == "CALIBRATION_LensDistortionModelRational6KT";
+            if (!isRational6 && model != "CALIBRATION_LensDistortionModelBrownConrady")
                 throw new FormatException("its lens model is " + model);
 
-            // cx, cy, fx, fy as shares of the sensor; k1…k6; centre of distortion; p2, p1.
+            // cx, cy, fx, fy as shares of the sensor; k1…k6; centre of distortion; p2, p1. The early model counts mixed terms once.
             double[] p = Numbers(intrinsics["ModelParameters"], 14);
-            if (p[10] != 0 || p[11] != 0)
-                throw new FormatException("its centre of distortion is not the principal point");
             double radius = camera["MetricRadius"] is JValue value ? Convert.ToDouble(value.Value, System.Globalization.CultureInfo.InvariantCulture) : 0;
-            var pinhole = new PinholeCamera(p[2] * sensorWidth * scale, p[3] * sensorHeight * scale,
-                (p[0] * sensorWidth - cropX) * scale - 0.5, (p[1] * sensorHeight + addY - cropY) * scale - 0.5, width, height);
-            return new LensCamera(pinhole, new BrownDistortion(p.AsSpan(4, 6), p[13], p[12], radius > 0 ? radius : DefaultRadius));
+            radius = radius > LeastRadius ? radius : DefaultRadius;
+            p[0] = (p[0] * sensorWidth - cropX) * scale - 0.5;
+            p[1] = (p[1] * sensorHeight + addY - cropY) * scale - 0.5;
+            p[2] *= sensorWidth * scale;
+            p[3] *= sensorHeight * scale;
+            int cross = isRational6 ? 1 : 2;
+            var distortion = new BrownDistortion(p.AsSpan(4, 6), p[13], p[12], radius, new Vector2D(p[10], p[11]), cross);
+            return (new LensCamera(new PinholeCamera(p[2], p[3], p[0], p[1], width, height), distortion), new KinectLensCheck(p, radius, cross));
+        }
+
+        private static Pose? MotionSensor(JObject root, string type, Pose origin)
+        {
+            if (root["CalibrationInformation"]?["InertialSensors"] is JArray sensors)
+            {
+                foreach (JToken sensor in sensors)
+                {
+                    if ((string?)sensor["SensorType"] == "CALIBRATION_InertialSensorType_" + type)
+                        return Rig(sensor) * origin;
+                }
+            }
+
+            return null;
         }
 
         private static Pose Rig(JToken camera)

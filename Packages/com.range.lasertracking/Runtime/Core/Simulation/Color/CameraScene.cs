@@ -22,7 +22,10 @@ namespace LaserTracking.Simulation
         private readonly PixelRectList _inPicture = new PixelRectList();
         private readonly PixelRectList _redrawn = new PixelRectList();
         private readonly PixelRectList _stale = new PixelRectList();
+        private readonly Vector4[] _row;
         private PlaneMap _imageToPicture;
+        private LensMap? _lens;
+        private ObstacleSettings?[]? _hiddenBy;
         private Vector2D _shiftPx;
         private bool _isBuilt;
 
@@ -40,6 +43,7 @@ namespace LaserTracking.Simulation
             _still = new ushort[count];
             _scene = new ushort[count];
             _ambient = new ushort[count];
+            _row = new Vector4[_camera.Width];
         }
 
         /// <summary>Signals, 4 a pixel (blue, green, red, unused). May be drawn upon; tell <see cref="Spoil"/> where.</summary>
@@ -107,8 +111,11 @@ namespace LaserTracking.Simulation
         {
             _isBuilt = true;
             _shiftPx = shift;
-            _imageToPicture = _assets.ScreenToPicture * _geometry.ScreenToImage.Inverse * new PlaneMap(1, 0, -shift.X, 0, 1, -shift.Y, 0, 0, 1);
-            new WallLight(_scenario, _geometry, shift).Fill(_ambient, WhiteSignal);
+            _lens = _geometry.Lens == null ? null : new LensMap(_geometry.Lens, shift);
+            Vector2D taken = _lens == null ? shift : default;
+            _imageToPicture = _assets.ScreenToPicture * _geometry.ScreenToImage.Inverse * new PlaneMap(1, 0, -taken.X, 0, 1, -taken.Y, 0, 0, 1);
+            new WallLight(_scenario, _geometry, shift, _lens).Fill(_ambient, WhiteSignal);
+            _hiddenBy = _scenario.Room.Obstacles.Count == 0 ? null : FindHidden();
             PixelRect all = All;
             _picture.DrawStill();
             _raster.Update(_picture.Image, _picture.Changed);
@@ -144,7 +151,55 @@ namespace LaserTracking.Simulation
                 }
 
                 if (weight > 1e-9)
-                    _raster.AddRow(_imageToPicture, y, rect.Left, rect.Right, (float)weight, _blur.Row(y));
+                    Gather(_imageToPicture, y, rect.Left, rect.Right, (float)weight, _blur.Row(y));
+                if (weight > 1e-9 && _hiddenBy != null)
+                    Hide(y, rect, (float)weight, _blur.Row(y));
+            }
+        }
+
+        private void Gather(in PlaneMap map, int y, int left, int right, float weight, Span<Vector4> row)
+        {
+            if (_lens == null)
+                _raster.AddRow(map, y, left, right, weight, row);
+            else
+                _raster.AddRow(map, _lens, y, left, right, weight, row);
+        }
+
+        /// <summary>By pixel, who stands in front of it.</summary>
+        private ObstacleSettings?[] FindHidden()
+        {
+            var hiddenBy = new ObstacleSettings?[_camera.Width * _camera.Height];
+            PlaneMap toScreen = _assets.ScreenToPicture.Inverse * _imageToPicture;
+            for (int i = 0; i < hiddenBy.Length; i++)
+            {
+                int x = i % _camera.Width, y = i / _camera.Width;
+                Vector2 ideal = _lens?.At(x, y) ?? new Vector2(x, y);
+                Vector2D p = toScreen.Map(new Vector2D(ideal.X, ideal.Y));
+                foreach (ObstacleSettings obstacle in _scenario.Room.Obstacles)
+                    hiddenBy[i] = obstacle.Hides(p) ? obstacle : hiddenBy[i];
+            }
+
+            return hiddenBy;
+        }
+
+        /// <summary>Takes the picture off the screen where somebody hides it and lays it on them, displaced and dimmer.</summary>
+        private void Hide(int y, PixelRect rect, float weight, Span<Vector4> row)
+        {
+            foreach (ObstacleSettings obstacle in _scenario.Room.Obstacles)
+            {
+                int first = rect.Left, end = rect.Right;
+                while (first < end && _hiddenBy![y * _camera.Width + first] != obstacle)
+                    first++;
+                while (end > first && _hiddenBy![y * _camera.Width + end - 1] != obstacle)
+                    end--;
+                if (first == end)
+                    continue;
+                PlaneMap aside = _assets.ScreenToPicture * new PlaneMap(1, 0, obstacle.ParallaxM.X, 0, 1, obstacle.ParallaxM.Y, 0, 0, 1) * _assets.ScreenToPicture.Inverse * _imageToPicture;
+                Array.Clear(_row, first, end - first);
+                Gather(_imageToPicture, y, first, end, -weight, _row);
+                Gather(aside, y, first, end, (float)(weight * obstacle.Reflectance), _row);
+                for (int x = first; x < end; x++)
+                    row[x] += _hiddenBy![y * _camera.Width + x] == obstacle ? _row[x] : default;
             }
         }
 
@@ -184,6 +239,8 @@ namespace LaserTracking.Simulation
 
         private PixelRect InImage(PixelRect inPicture)
         {
+            if (_lens != null)
+                return All;
             PlaneMap toImage = _imageToPicture.Inverse;
             double left = double.PositiveInfinity, top = left, right = double.NegativeInfinity, bottom = right;
             for (int corner = 0; corner < 4; corner++)

@@ -51,6 +51,33 @@ namespace LaserTracking.Simulation
                 AddRow(imageToPicture, y + (i + 0.5) / times - 0.5, (j + 0.5) / times - 0.5, left, right, share, row);
         }
 
+        /// <summary>The same for a camera with a lens: where each pixel would lie without it, then the warp.</summary>
+        public void AddRow(in PlaneMap idealToPicture, LensMap lens, int y, int left, int right, float weight, Span<Vector4> row)
+        {
+            idealToPicture.Jacobian(new Geometry.Vector2D((left + right) / 2.0, y), out double a, out double b, out double c, out double d);
+            int times = Math.Max(1, Math.Min(6, (int)Math.Round(Math.Sqrt(Math.Abs(a * d - b * c)))));
+            float share = weight / (times * times);
+            for (int i = 0; i < times * times; i++)
+            {
+                float offsetX = (i % times + 0.5f) / times - 0.5f, offsetY = (i / times + 0.5f) / times - 0.5f;
+                for (int x = left; x < right; x++)
+                {
+                    Vector2 ideal = lens.At(x, y);
+                    Geometry.Vector2D p = idealToPicture.Map(new Geometry.Vector2D(ideal.X + offsetX, ideal.Y + offsetY));
+                    row[x] += At((float)p.X + 1, (float)p.Y + 1) * share;
+                }
+            }
+        }
+
+        private Vector4 At(float u, float v)
+        {
+            if (!(u >= 0 && v >= 0 && u < _width + 1 && v < _height + 1))
+                return default;
+            int left = (int)u, at = (int)v * _stride + left;
+            Vector4 upper = Vector4.Lerp(_light[at], _light[at + 1], u - left), lower = Vector4.Lerp(_light[at + _stride], _light[at + _stride + 1], u - left);
+            return Vector4.Lerp(upper, lower, v - (int)v);
+        }
+
         private void AddRow(in PlaneMap map, double y, double offsetX, int left, int right, float weight, Span<Vector4> row)
         {
             double u = map.B * y + map.C, v = map.E * y + map.F, w = map.H * y + map.I;

@@ -13,10 +13,13 @@ namespace LaserTracking.Simulation
 
         private readonly SimulationScenario _scenario;
         private readonly ColorCameraGeometry _geometry;
+        private const double LampRadiusM = 0.6;
         private readonly Vector2D _shiftPx;
+        private readonly LensMap? _lens;
 
-        public WallLight(SimulationScenario scenario, ColorCameraGeometry geometry, Vector2D shiftPx)
+        public WallLight(SimulationScenario scenario, ColorCameraGeometry geometry, Vector2D shiftPx, LensMap? lens)
         {
+            _lens = lens;
             _scenario = scenario;
             _geometry = geometry;
             _shiftPx = shiftPx;
@@ -35,7 +38,7 @@ namespace LaserTracking.Simulation
             {
                 for (int x = 0; x < camera.Width; x++)
                 {
-                    Vector2D p = toScreen.Map(new Vector2D(x, y) - _shiftPx);
+                    Vector2D p = toScreen.Map(IdealPx(x, y));
                     double outside = ZoneDistance.Box(p - size * 0.5, size.X / 2, size.Y / 2);
                     float frame = Cover(outside, pixelM), wall = Cover(outside - FrameM, pixelM);
                     float grain = 0.94f + 0.12f * ValueNoise.At(p.X * 5, p.Y * 5, 50);
@@ -44,7 +47,10 @@ namespace LaserTracking.Simulation
                     float around = WallReflectance * grain * (p.Y > floor ? 0.4f : 1);
                     float reflectance = ScreenReflectance + (FrameReflectance - ScreenReflectance) * frame;
                     reflectance += (around - reflectance) * wall;
-                    float level = (float)(_scenario.Room.Ambient * reflectance + glow * Math.Min(reflectance, around) * frame);
+                    foreach (ObstacleSettings obstacle in _scenario.Room.Obstacles)
+                        reflectance = obstacle.Hides(p) ? (float)obstacle.Reflectance : reflectance;
+                    double lamp = _scenario.Room.Lamp == 0 ? 0 : _scenario.Room.Lamp * Math.Exp(-(p - _scenario.Room.LampM).LengthSquared / (2 * LampRadiusM * LampRadiusM));
+                    float level = (float)((_scenario.Room.Ambient + lamp) * reflectance + glow * Math.Min(reflectance, around) * frame);
                     level *= whiteSignal * CameraScene.Vignette(camera, x, y);
                     int offset = (y * camera.Width + x) * 4;
                     signals[offset] = Signal(level * 0.9f);
@@ -52,6 +58,14 @@ namespace LaserTracking.Simulation
                     signals[offset + 2] = Signal(level * 1.06f);
                 }
             }
+        }
+
+        private Vector2D IdealPx(int x, int y)
+        {
+            if (_lens == null)
+                return new Vector2D(x, y) - _shiftPx;
+            System.Numerics.Vector2 ideal = _lens.At(x, y);
+            return new Vector2D(ideal.X, ideal.Y);
         }
 
         private static float Cover(double outside, double pixelM) => (float)Math.Max(0, Math.Min(1, 0.5 + outside / pixelM));

@@ -4,7 +4,7 @@ using LaserTracking.Imaging;
 namespace LaserTracking.Simulation
 {
     /// <summary>Six large shapes that bounce between the picture's edges, over a plain grey or a texture that scrolls. Immutable.</summary>
-    internal sealed unsafe class MovingContent
+    internal sealed unsafe class MovingContent : IPictureContent
     {
         private const int ShapeCount = 6;
         private const int TileSize = 512;
@@ -39,7 +39,6 @@ namespace LaserTracking.Simulation
             }
         }
 
-        /// <summary>Fills a part of the picture as it stands at a time.</summary>
         public void Draw(Image picture, PixelRect rect, double timeS)
         {
             int scrollX = (int)Math.Floor(timeS * _speedPxPerS / 3), scrollY = (int)Math.Floor(timeS * _speedPxPerS / 7);

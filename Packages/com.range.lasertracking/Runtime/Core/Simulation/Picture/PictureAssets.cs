@@ -25,7 +25,7 @@ namespace LaserTracking.Simulation
             var room = new RoomPainter(view);
             _background = PaintBackground(room, view.Scene.ScreenSizeM);
             if (projector.Content != ProjectedContent.Bay)
-                MovingContent = new MovingContent(projector, seed);
+                MovingContent = projector.Content == ProjectedContent.Calibration ? (IPictureContent)new PatternContent(projector) : new MovingContent(projector, seed);
             _sprites = new TargetSprite[view.Scene.Objects.Count];
             foreach (int i in view.FarToNear)
                 _sprites[i] = PaintSprite(view, i, room.FloorM);
@@ -44,7 +44,10 @@ namespace LaserTracking.Simulation
         public ReadOnlySpan<byte> Background => _background;
 
         /// <summary>What moves behind the targets in place of the bay; null: nothing.</summary>
-        public MovingContent? MovingContent { get; }
+        public IPictureContent? MovingContent { get; }
+
+        /// <summary>Objects drawn over it, far to near; the calibration's pictures have none.</summary>
+        public ReadOnlySpan<int> Targets => MovingContent is PatternContent ? default : View.FarToNear;
 
         public PixelRect Bounds => new PixelRect(0, 0, Width, Height);
 

@@ -32,7 +32,7 @@ namespace LaserTracking.Simulation
         {
             if (_assets.MovingContent != null)
                 list.Add(_assets.Bounds);
-            foreach (int i in _assets.View.FarToNear)
+            foreach (int i in _assets.Targets)
             {
                 if (SceneView.Moves(_assets.View.Scene.Objects[i]))
                     list.Add(_assets.Sprite(i).Bounds(_assets.TargetToPicture(i, timeS)).Intersect(_assets.Bounds));
@@ -85,7 +85,7 @@ namespace LaserTracking.Simulation
                 _assets.Background.Slice(offset, bytes).CopyTo(new Span<byte>(Image.Pixels + offset, bytes));
             }
 
-            foreach (int i in _assets.View.FarToNear)
+            foreach (int i in _assets.Targets)
             {
                 if (!withMoving && SceneView.Moves(_assets.View.Scene.Objects[i]))
                     continue;

@@ -65,6 +65,11 @@ namespace LaserTracking.Simulation
         /// <summary>Horizontal field of view, degrees; 0: as much as shows the whole screen with a small margin.</summary>
         public double FieldOfViewDeg { get; set; }
 
+        /// <summary>Radial distortion of the lens after Brown, in units of the focal length; below zero bulges outwards. 0: none.</summary>
+        public double LensK1 { get; set; }
+
+        public double LensK2 { get; set; }
+
         /// <summary>What automatic exposure does; none by default.</summary>
         public List<ExposureStepSettings> ExposureSteps { get; } = new List<ExposureStepSettings>();
 
@@ -90,6 +95,8 @@ namespace LaserTracking.Simulation
             LookAtM = v.Point("look_at_m", LookAtM, 100);
             RollDeg = v.Number("roll_deg", RollDeg, -180, 180);
             FieldOfViewDeg = v.Number("field_of_view_deg", FieldOfViewDeg, 0, 150);
+            LensK1 = v.Number("lens_k1", LensK1, -1, 1);
+            LensK2 = v.Number("lens_k2", LensK2, -1, 1);
             v.List("exposure_steps", ExposureSteps, () => new ExposureStepSettings(), (step, inner) => step.Visit(inner));
             if (Width % 2 != 0)
                 v.Refuse("width", "is odd", "give an even number");

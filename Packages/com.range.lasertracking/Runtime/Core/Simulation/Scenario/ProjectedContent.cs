@@ -11,5 +11,8 @@ namespace LaserTracking.Simulation
 
         /// <summary>The same shapes over a texture that scrolls: every pixel changes all the time.</summary>
         ShapesOverTexture = 2,
+
+        /// <summary>The pictures of the screen's calibration, one after the other.</summary>
+        Calibration = 3,
     }
 }

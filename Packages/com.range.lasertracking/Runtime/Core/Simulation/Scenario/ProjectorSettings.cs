@@ -1,3 +1,5 @@
+using LaserTracking.Patterns;
+
 namespace LaserTracking.Simulation
 {
     /// <summary>The projector that draws the scene on the screen.</summary>
@@ -29,6 +31,9 @@ namespace LaserTracking.Simulation
         /// <summary>How fast the shapes of moving content move, widths of the picture a second; the texture scrolls a third as fast.</summary>
         public double ContentSpeed { get; set; } = 0.94;
 
+        /// <summary>How long each picture of the calibration is shown, ms.</summary>
+        public double PatternHoldMs { get; set; } = 1000;
+
         internal void Visit(ScenarioVisitor v)
         {
             Width = v.Integer("width", Width, 16, 4096);
@@ -40,6 +45,9 @@ namespace LaserTracking.Simulation
             Gamma = v.Number("gamma", Gamma, 1, 4);
             Content = v.Choice("content", Content);
             ContentSpeed = v.Number("content_speed", ContentSpeed, 0, 10);
+            PatternHoldMs = v.Number("pattern_hold_ms", PatternHoldMs, 10, 60000);
+            if (Content == ProjectedContent.Calibration && !ScreenPattern.CanDraw(Width, Height))
+                v.Refuse("content", "does not fit the picture", "give a width of 160 or more and a height of 6/16 to 14/16 of it");
         }
     }
 }

@@ -1,3 +1,6 @@
+using System.Collections.Generic;
+using LaserTracking.Geometry;
+
 namespace LaserTracking.Simulation
 {
     /// <summary>Light and walls of the room.</summary>
@@ -21,6 +24,15 @@ namespace LaserTracking.Simulation
         /// <summary>From the floor to the ceiling, m.</summary>
         public double CeilingM { get; set; } = 2.7;
 
+        /// <summary>What a lamp that shines on a part of the wall adds at its brightest, in the unit of <see cref="Ambient"/>.</summary>
+        public double Lamp { get; set; }
+
+        /// <summary>Where it shines, in screen space.</summary>
+        public Vector2D LampM { get; set; }
+
+        /// <summary>People between camera 0 and the screen, the nearest last; none by default.</summary>
+        public List<ObstacleSettings> Obstacles { get; } = new List<ObstacleSettings>();
+
         internal void Visit(ScenarioVisitor v)
         {
             Ambient = v.Number("ambient", Ambient, 0, 100);
@@ -29,6 +41,9 @@ namespace LaserTracking.Simulation
             FloorBelowScreenM = v.Number("floor_below_screen_m", FloorBelowScreenM, -2, 5);
             BackWallM = v.Number("back_wall_m", BackWallM, 0.5, 50);
             CeilingM = v.Number("ceiling_m", CeilingM, 1, 50);
+            Lamp = v.Number("lamp", Lamp, 0, 100);
+            LampM = v.Point("lamp_m", LampM, 100) ?? default;
+            v.List("obstacles", Obstacles, () => new ObstacleSettings(), (obstacle, inner) => obstacle.Visit(inner));
         }
     }
 }

@@ -56,6 +56,8 @@ namespace LaserTracking.Simulation
             v.List("shooters", Shooters, () => new ShooterSettings(), (shooter, inner) => shooter.Visit(inner));
             v.List("shots", Shots, () => new ShotSettings(), (shot, inner) => VisitShot(shot, inner));
             v.Group("generator", Generator.Visit);
+            if (InfraredCamera.Enabled && (ColorCamera.LensK1 != 0 || ColorCamera.LensK2 != 0))
+                v.Refuse("infrared_camera", "cannot be simulated with a lens", "set lens_k1 and lens_k2 of color_camera to 0");
         }
 
         private void VisitShot(ShotSettings shot, ScenarioVisitor v)

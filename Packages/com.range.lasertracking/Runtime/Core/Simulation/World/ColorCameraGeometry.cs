@@ -23,12 +23,17 @@ namespace LaserTracking.Simulation
             Vector3D o = pose.InverseTransformPoint(default);
             ScreenToImage = PlaneMap.Scale(focal, focal, cx, cy) *
                             new PlaneMap(x.X, y.X, o.X, x.Y, y.Y, o.Y, x.Z, y.Z, o.Z);
-            Screen = new ScreenGeometry(new Homography(ScreenToImage.Inverse.ToArray()), screenSizeM);
             PositionM = position;
+            if (settings.LensK1 != 0 || settings.LensK2 != 0)
+                Lens = new LensCamera(new PinholeCamera(focal, focal, cx, cy, settings.Width, settings.Height), new BrownDistortion(new[] { settings.LensK1, settings.LensK2, 0 }, 0, 0));
+            Screen = new ScreenGeometry(new Homography(ScreenToImage.Inverse.ToArray()), screenSizeM, Lens);
         }
 
-        /// <summary>Screen m to image px.</summary>
+        /// <summary>Screen m to image px, as if there were no distortion.</summary>
         public PlaneMap ScreenToImage { get; }
+
+        /// <summary>The camera with its lens; null: no distortion.</summary>
+        public LensCamera? Lens { get; }
 
         public ScreenGeometry Screen { get; }
 

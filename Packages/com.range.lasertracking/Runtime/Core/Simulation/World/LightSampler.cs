@@ -54,7 +54,7 @@ namespace LaserTracking.Simulation
             Timing.MidUs(frame) - _camera.ExposureUs / 2 + (row - (_camera.Height - 1) / 2.0) * _camera.RollingShutterRowUs;
 
         public Vector2D ImagePx(PlannedShot shot, double timeS, Vector2D shiftPx) =>
-            _geometry.ScreenToImage.Map(_motions[shot.Shooter].DotM(timeS)) + shiftPx;
+            _geometry.Screen.ToImagePx(_motions[shot.Shooter].DotM(timeS)) + shiftPx;
 
         /// <summary>The part of the pulse that falls into the exposure of the row where the dot is; true µs.</summary>
         public bool TryGetLight(PlannedShot shot, int frame, Vector2D shiftPx, out double beginUs, out double endUs)

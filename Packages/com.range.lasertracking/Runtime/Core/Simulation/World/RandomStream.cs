@@ -16,5 +16,6 @@ namespace LaserTracking.Simulation
         Texture = 11,
         Content = 12,
         InfraredNoise = 21,
+        BoardNoise = 31,
     }
 }

@@ -1,0 +1,103 @@
+using System;
+using System.Linq;
+using LaserTracking.Geometry;
+using LaserTracking.Patterns;
+using Newtonsoft.Json.Linq;
+
+namespace LaserTracking.Host.Calibration
+{
+    /// <summary>What is said of a calibration of the screen: as JSON, and in sentences on standard error.</summary>
+    internal static class ScreenReport
+    {
+        public static JObject OfPattern(ScreenCalibration found)
+        {
+            PointErrors fitPx = found.Errors(false, inMm: false), fitMm = found.Errors(false, inMm: true);
+            var result = new JObject
+            {
+                ["accepted"] = found.IsAccepted,
+                ["refusals"] = new JArray(found.Refusals),
+                ["notes"] = new JArray(found.Notes),
+                ["frames"] = found.View.Frames,
+                ["mirrored"] = found.View.IsMirrored,
+                ["lens_found"] = found.IsLensFound,
+                ["fit_points"] = fitPx.Count,
+                ["left_out"] = found.Points.Count(p => p.IsLeftOut),
+                ["rms_px"] = fitPx.Rms,
+                ["rms_mm"] = fitMm.Rms,
+                ["verify"] = Errors(found.Errors(true, inMm: true), found.Errors(true, inMm: false)),
+            };
+            result["regions"] = new JArray(found.Regions.Select(Region));
+            return result;
+        }
+
+        /// <param name="screen">The calibration.</param>
+        /// <param name="measured">Its points.</param>
+        /// <param name="withFit">The first list of points is what it was fitted to.</param>
+        public static JObject OfPoints(ScreenGeometry screen, ScreenPoints measured, bool withFit)
+        {
+            var result = new JObject();
+            if (withFit)
+            {
+                result["rms_px"] = Px(screen, measured.ImagePx, measured.ScreenM).Rms;
+                result["rms_mm"] = Mm(screen, measured.ImagePx, measured.ScreenM).Rms;
+            }
+
+            result["verify"] = Errors(Mm(screen, measured.VerifyImagePx, measured.VerifyScreenM), Px(screen, measured.VerifyImagePx, measured.VerifyScreenM));
+            return result;
+        }
+
+        /// <summary>Whether the check points, where there are some, keep to the limit; says so when they do not.</summary>
+        public static bool Passes(ScreenGeometry screen, ScreenPoints measured, double limitMm, string consequence)
+        {
+            PointErrors mm = Mm(screen, measured.VerifyImagePx, measured.VerifyScreenM);
+            if (mm.Count == 0 || mm.Max <= limitMm)
+                return true;
+            Console.Error.WriteLine(FormattableString.Invariant($"range: the held-out error reaches {mm.Max:F2} mm, over the limit of {limitMm} mm{consequence}"));
+            return false;
+        }
+
+        public static void Say(ScreenCalibration found)
+        {
+            foreach (string note in found.Notes)
+                Console.Error.WriteLine("range: " + note);
+            if (found.View.IsMirrored)
+                Console.Error.WriteLine("range: the picture is mirrored: right for a camera behind the screen");
+            foreach (string refusal in found.Refusals)
+                Console.Error.WriteLine("range: refused: " + refusal);
+            if (!found.IsAccepted)
+                Console.Error.WriteLine("range: nothing was written");
+        }
+
+        /// <summary>Corners outside the picture are possible, a screen that is nowhere in it is a mistake.</summary>
+        public static void CheckPlace(RangeCalibration calibration, string source)
+        {
+            Vector2D center = calibration.Screen.ToImagePx(calibration.Screen.ScreenSizeM * 0.5);
+            if (!(center.X >= 0 && center.Y >= 0 && center.X < calibration.ImageWidth && center.Y < calibration.ImageHeight))
+                throw new InputException(source, FormattableString.Invariant($"the middle of the screen lies at {center.X:F0},{center.Y:F0}, outside the image of {calibration.ImageWidth}x{calibration.ImageHeight}"), "check the points, and give the image's size with --image-size");
+            Vector2D[] corners = calibration.Screen.CornersPx;
+            if (Vector2D.Cross(corners[1] - corners[0], corners[3] - corners[0]) < 0)
+                Console.Error.WriteLine("range: the picture is mirrored: right for a camera behind the screen, else the corners run the wrong way round");
+        }
+
+        private static JObject Region(ScreenRegion region)
+        {
+            var result = new JObject
+            {
+                ["name"] = region.Name, ["projected"] = region.Projected, ["measured"] = region.Measured, ["covered"] = region.Covered, ["unclear"] = region.Unclear,
+                ["out_of_picture"] = region.OutOfPicture, ["blur_px"] = region.BlurPx, ["sigma_mm"] = region.SigmaMm,
+            };
+            result["verify"] = Errors(region.HeldOutMm, region.HeldOutPx);
+            return result;
+        }
+
+        private static JObject Errors(PointErrors mm, PointErrors px) => mm.Count == 0
+            ? new JObject { ["n"] = 0 }
+            : new JObject { ["n"] = mm.Count, ["median_mm"] = mm.Median, ["p95_mm"] = mm.P95, ["max_mm"] = mm.Max, ["median_px"] = px.Median, ["p95_px"] = px.P95, ["max_px"] = px.Max };
+
+        private static PointErrors Mm(ScreenGeometry screen, Vector2D[] imagePx, Vector2D[] screenM) =>
+            PointErrors.Of(imagePx.Zip(screenM, (px, m) => (screen.ToScreenM(px) - m).Length * 1000).ToArray());
+
+        private static PointErrors Px(ScreenGeometry screen, Vector2D[] imagePx, Vector2D[] screenM) =>
+            PointErrors.Of(imagePx.Zip(screenM, (px, m) => (screen.ToImagePx(m) - px).Length).ToArray());
+    }
+}

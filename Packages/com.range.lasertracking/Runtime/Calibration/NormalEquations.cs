@@ -1,0 +1,253 @@
+using System;
+using LaserTracking.Geometry;
+using MathNet.Numerics.LinearAlgebra;
+
+namespace LaserTracking.Calibration
+{
+    /// <summary>
+    /// Gauss-Newton equations of a bundle adjustment in their block form: cameras U, each board V, and W between them. The boards are
+    /// eliminated first (Schur complement; Triggs et al. 2000, section 6), so that what is solved has the size of the cameras' unknowns.
+    /// </summary>
+    internal sealed class NormalEquations
+    {
+        private const int BoardUnknowns = 6;
+
+        private readonly int[] _starts;
+        private readonly int _cameraUnknowns;
+        private readonly double[,] _u;
+        private readonly double[] _cameraGradient;
+        private readonly double[][,] _w;
+        private readonly double[][,] _v;
+        private readonly double[][] _boardGradients;
+
+        private NormalEquations(BundleCamera[] cameras, int boards)
+        {
+            _starts = new int[cameras.Length];
+            for (int c = 0; c < cameras.Length; c++)
+            {
+                _starts[c] = _cameraUnknowns;
+                _cameraUnknowns += cameras[c].Unknowns;
+            }
+
+            _u = new double[_cameraUnknowns, _cameraUnknowns];
+            _cameraGradient = new double[_cameraUnknowns];
+            _w = new double[boards][,];
+            _v = new double[boards][,];
+            _boardGradients = new double[boards][];
+            for (int b = 0; b < boards; b++)
+            {
+                _w[b] = new double[_cameraUnknowns, BoardUnknowns];
+                _v[b] = new double[BoardUnknowns, BoardUnknowns];
+                _boardGradients[b] = new double[BoardUnknowns];
+            }
+        }
+
+        /// <summary>Sum of squared distances, px².</summary>
+        public double Cost { get; private set; }
+
+        /// <summary>Number of points.</summary>
+        public int Points { get; private set; }
+
+        /// <summary>Unknowns in all.</summary>
+        public int Unknowns => _cameraUnknowns + BoardUnknowns * _v.Length;
+
+        /// <summary>Root mean square distance, px.</summary>
+        public double RmsPx => Math.Sqrt(Cost / Points);
+
+        /// <summary>Null when the state makes no camera or puts a point behind one.</summary>
+        public static NormalEquations? TryBuild(BundleCamera[] cameras, BundleObservation[] observations, BundleState state)
+        {
+            var lenses = new LensCamera[cameras.Length];
+            for (int c = 0; c < cameras.Length; c++)
+            {
+                if (!CameraParameters.TryMakeCamera(state.Lenses[c], cameras[c].Width, cameras[c].Height, out LensCamera? camera))
+                    return null;
+                lenses[c] = camera!;
+            }
+
+            var equations = new NormalEquations(cameras, state.Boards.Length);
+            foreach (BundleObservation observation in observations)
+            {
+                if (!equations.TryAdd(cameras[observation.Camera], lenses[observation.Camera], observation, state))
+                    return null;
+            }
+
+            return double.IsNaN(equations.Cost) || double.IsInfinity(equations.Cost) ? null : equations;
+        }
+
+        /// <summary>The step that solves the equations damped after Marquardt (1963), diagonal times 1 + λ; null when they are singular.</summary>
+        public double[]? TryStep(double damping)
+        {
+            try
+            {
+                Matrix<double>[] reductions = Reduce(damping, out Matrix<double> reduced, out Vector<double> right, out Vector<double>[] boardSteps);
+                var step = new double[Unknowns];
+                Vector<double>? cameraStep = _cameraUnknowns > 0 ? reduced.Cholesky().Solve(right) : null;
+                cameraStep?.AsArray().CopyTo(step, 0);
+                for (int b = 0; b < _v.Length; b++)
+                {
+                    Vector<double> board = cameraStep == null ? boardSteps[b] : boardSteps[b] - reductions[b] * cameraStep;
+                    board.AsArray().CopyTo(step, _cameraUnknowns + BoardUnknowns * b);
+                }
+
+                return step;
+            }
+            catch (ArgumentException)
+            {
+                // Not positive definite: more damping helps.
+                return null;
+            }
+        }
+
+        /// <summary>
+        /// Standard deviations of the cameras' unknowns for measurement noise of sigma px along each axis. What is not determined gets a
+        /// huge number, never infinity.
+        /// </summary>
+        public double[] StandardDeviations(double sigmaPx)
+        {
+            var deviations = new double[_cameraUnknowns];
+            if (_cameraUnknowns == 0)
+                return deviations;
+            Reduce(1e-12, out Matrix<double> reduced, out _, out _);
+
+            // Scaled to a diagonal of ones: what is left small is a combination that the views do not determine.
+            var scaled = new double[_cameraUnknowns, _cameraUnknowns];
+            for (int i = 0; i < _cameraUnknowns; i++)
+            for (int j = 0; j < _cameraUnknowns; j++)
+                scaled[i, j] = reduced[i, j] / Math.Sqrt(Math.Max(double.Epsilon, _u[i, i] * _u[j, j]));
+            SymmetricEigen.Decompose(scaled, out double[] values, out double[,] vectors);
+            for (int i = 0; i < _cameraUnknowns; i++)
+            {
+                double variance = 0;
+                for (int k = 0; k < _cameraUnknowns; k++)
+                    variance += vectors[i, k] * vectors[i, k] / Math.Max(values[k], 1e-14);
+                deviations[i] = sigmaPx * Math.Sqrt(variance / Math.Max(double.Epsilon, _u[i, i]));
+            }
+
+            return deviations;
+        }
+
+        private Matrix<double>[] Reduce(double damping, out Matrix<double> reduced, out Vector<double> right, out Vector<double>[] boardSteps)
+        {
+            int boards = _v.Length;
+            var reductions = new Matrix<double>[boards];
+            boardSteps = new Vector<double>[boards];
+            reduced = _cameraUnknowns > 0 ? Damped(_u, damping) : Matrix<double>.Build.Dense(1, 1);
+            right = _cameraUnknowns > 0 ? Vector<double>.Build.DenseOfArray(_cameraGradient) : Vector<double>.Build.Dense(1);
+            for (int b = 0; b < boards; b++)
+            {
+                var inverse = Damped(_v[b], damping).Cholesky();
+                boardSteps[b] = inverse.Solve(Vector<double>.Build.DenseOfArray(_boardGradients[b]));
+                if (_cameraUnknowns == 0)
+                    continue;
+                Matrix<double> w = Matrix<double>.Build.DenseOfArray(_w[b]);
+                reductions[b] = inverse.Solve(w.Transpose());
+                reduced -= w * reductions[b];
+                right -= w * boardSteps[b];
+            }
+
+            return reductions;
+        }
+
+        private static Matrix<double> Damped(double[,] block, double damping)
+        {
+            Matrix<double> matrix = Matrix<double>.Build.DenseOfArray(block);
+            for (int i = 0; i < matrix.RowCount; i++)
+                matrix[i, i] = block[i, i] * (1 + damping) + double.Epsilon;
+            return matrix;
+        }
+
+        /// <summary>
+        /// With X_0 = R_b X + T_b and X_c = R_c X_0 + T_c, a turn ω applied on the left moves a turned point t by ω × t, and a row p of
+        /// derivatives by X_c therefore by ω·(t × p).
+        /// </summary>
+        private bool TryAdd(BundleCamera unknowns, LensCamera camera, BundleObservation observation, BundleState state)
+        {
+            Pose board = state.Boards[observation.Board], rig = state.Rigs[observation.Camera];
+            int[] free = unknowns.FreeLens;
+            int own = unknowns.Unknowns, all = own + BoardUnknowns;
+            var sums = new LocalSums(all);
+            Span<double> byPoint = stackalloc double[6], byPinhole = stackalloc double[8], byDistortion = stackalloc double[16];
+            Span<double> row = stackalloc double[all];
+            for (int i = 0; i < observation.View.BoardMm.Length; i++)
+            {
+                Vector2D onBoard = observation.View.BoardMm[i];
+                Vector3D turned = board.TransformDirection(new Vector3D(onBoard.X, onBoard.Y, 0));
+                Vector3D turnedByRig = rig.TransformDirection(turned + board.Position);
+                if (!camera.TryProject(turnedByRig + rig.Position, out Vector2D pixel, byPoint, byPinhole, byDistortion))
+                    return false;
+                Vector2D residual = observation.View.ImagePx[i] - pixel;
+                for (int axis = 0; axis < 2; axis++)
+                {
+                    var p = new Vector3D(byPoint[axis * 3], byPoint[axis * 3 + 1], byPoint[axis * 3 + 2]);
+                    for (int k = 0; k < free.Length; k++)
+                        row[k] = free[k] < 4 ? byPinhole[axis * 4 + free[k]] : byDistortion[axis * 8 + free[k] - 4];
+                    if (unknowns.IsPoseFree)
+                        Put(row.Slice(free.Length), Vector3D.Cross(turnedByRig, p), p);
+                    Vector3D q = rig.InverseTransformDirection(p);
+                    Put(row.Slice(own), Vector3D.Cross(turned, q), q);
+                    sums.Add(row, axis == 0 ? residual.X : residual.Y);
+                }
+
+                Cost += residual.LengthSquared;
+                Points++;
+            }
+
+            Scatter(sums, _starts[observation.Camera], own, observation.Board);
+            return true;
+        }
+
+        private static void Put(Span<double> row, Vector3D rotation, Vector3D translation)
+        {
+            row[0] = rotation.X;
+            row[1] = rotation.Y;
+            row[2] = rotation.Z;
+            row[3] = translation.X;
+            row[4] = translation.Y;
+            row[5] = translation.Z;
+        }
+
+        private void Scatter(LocalSums sums, int start, int own, int board)
+        {
+            for (int i = 0; i < own; i++)
+            {
+                for (int j = 0; j < own; j++)
+                    _u[start + i, start + j] += sums.Normal[i, j];
+                for (int j = 0; j < BoardUnknowns; j++)
+                    _w[board][start + i, j] += sums.Normal[i, own + j];
+                _cameraGradient[start + i] += sums.Gradient[i];
+            }
+
+            for (int i = 0; i < BoardUnknowns; i++)
+            {
+                for (int j = 0; j < BoardUnknowns; j++)
+                    _v[board][i, j] += sums.Normal[own + i, own + j];
+                _boardGradients[board][i] += sums.Gradient[own + i];
+            }
+        }
+
+        /// <summary>JᵀJ and Jᵀr of one view.</summary>
+        private sealed class LocalSums
+        {
+            public LocalSums(int size)
+            {
+                Normal = new double[size, size];
+                Gradient = new double[size];
+            }
+
+            public double[,] Normal { get; }
+
+            public double[] Gradient { get; }
+
+            public void Add(ReadOnlySpan<double> row, double residual)
+            {
+                for (int i = 0; i < row.Length; i++)
+                {
+                    for (int j = 0; j < row.Length; j++)
+                        Normal[i, j] += row[i] * row[j];
+                    Gradient[i] += row[i] * residual;
+                }
+            }
+        }
+    }
+}

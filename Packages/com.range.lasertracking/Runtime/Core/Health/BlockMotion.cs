@@ -1,0 +1,74 @@
+using System;
+using LaserTracking.Geometry;
+using LaserTracking.Imaging;
+
+namespace LaserTracking.Health
+{
+    /// <summary>Displacement of the whole picture by twelve blocks, for a picture whose screen is not known.</summary>
+    internal sealed class BlockMotion
+    {
+        private const double AgreeBins = 0.75, LeastAgreement = 0.6;
+        private const int LeastLists = 3;
+
+        private readonly double[][] _shifts = { new double[ShiftProfiles.Blocks], new double[ShiftProfiles.Blocks] };
+        private readonly double[] _sorted = new double[ShiftProfiles.Blocks];
+        private readonly int[] _counts = new int[2];
+        private ShiftProfiles _reference = new ShiftProfiles();
+        private ShiftProfiles _now = new ShiftProfiles();
+
+        public int BinPx => _now.BinPx;
+
+        /// <summary>Reads this frame's share of the blocks; false when the picture is too small.</summary>
+        public bool Look(Image image, int frame, int frames, bool hasReference)
+        {
+            if (frame == 0)
+                _counts[0] = _counts[1] = 0;
+            for (int block = frame * ShiftProfiles.Blocks / frames; block < (frame + 1) * ShiftProfiles.Blocks / frames; block++)
+            {
+                if (!_now.TryFill(image, block))
+                    return false;
+                for (int axis = 0; axis < 2 && hasReference; axis++)
+                {
+                    if (_now.TryMatch(_reference, 2 * block + axis, out double found))
+                        _shifts[axis][_counts[axis]++] = found;
+                }
+            }
+
+            return true;
+        }
+
+        /// <summary>What most blocks of the last look say, bins.</summary>
+        public bool TryAgree(out Vector2D shift, out double largest)
+        {
+            bool isX = TryAgree(0, out double x), isY = TryAgree(1, out double y);
+            shift = new Vector2D(isX ? x : 0, isY ? y : 0);
+            largest = shift.Length;
+            return isX || isY;
+        }
+
+        /// <summary>The last look is what to compare with from now on.</summary>
+        public void Renew() => (_reference, _now) = (_now, _reference);
+
+        private bool TryAgree(int axis, out double shift)
+        {
+            int count = _counts[axis];
+            double[] shifts = _shifts[axis];
+            shift = 0;
+            if (count < LeastLists)
+                return false;
+            Array.Copy(shifts, _sorted, count);
+            Array.Sort(_sorted, 0, count);
+            double middle = _sorted[count / 2];
+            int agreed = 0;
+            for (int i = 0; i < count; i++)
+            {
+                if (Math.Abs(shifts[i] - middle) > AgreeBins)
+                    continue;
+                agreed++;
+                shift += (shifts[i] - shift) / agreed;
+            }
+
+            return agreed >= LeastLists && agreed >= LeastAgreement * count;
+        }
+    }
+}

@@ -1,0 +1,92 @@
+using System.IO;
+using System.Linq;
+using LaserTracking.Host;
+using Newtonsoft.Json.Linq;
+using NUnit.Framework;
+
+namespace LaserTracking.Commands
+{
+    public sealed class CalibrateHistoryCommandTests
+    {
+        [Test]
+        public void History_ThreeSessions_ShowsTrendAndBest()
+        {
+            using var folder = new TemporaryFolder();
+            string history = folder.File("history");
+            foreach ((string date, string noise) in new[] { ("2026-03-01", "0.3"), ("2026-01-01", "0.1"), ("2026-02-01", "0.2") })
+                Calibrate(folder, noise, "--date", date, "--history", history, "--replace");
+            Calibrate(folder, "0.2", "--date", "2026-02-01", "--history", history, "--replace");
+            (int exitCode, string output, _) = CommandLine.Run("calibrate", "history", history);
+            string[] lines = output.Split('\n');
+            Assert.That(exitCode, Is.EqualTo(ExitCodes.Done));
+            Assert.That(lines.Where(line => line.StartsWith("2026")).Select(line => line.Split(' ', System.StringSplitOptions.RemoveEmptyEntries)[1]),
+                Is.EqualTo(new[] { "2026-01-01-camera.json", "2026-02-01-camera-2.json", "2026-02-01-camera.json", "2026-03-01-camera.json" }));
+            Assert.That(lines.Single(line => line.TrimEnd().EndsWith('*')), Does.StartWith("2026-01-01"));
+            Assert.That(output, Does.Contain("best: 2026-01-01-camera.json").And.Contain("trend: getting worse"));
+            JArray tables = JArray.Parse(CommandLine.Run("calibrate", "history", history, "--json").Output);
+            Assert.That(tables[0]["rows"]!, Has.Count.EqualTo(4));
+        }
+
+        [Test]
+        public void Board_WorseThanWhatIsThere_StaysOutUnlessToldTo()
+        {
+            using var folder = new TemporaryFolder();
+            string camera = Calibrate(folder, "0.1");
+            byte[] better = File.ReadAllBytes(camera);
+            (int exitCode, _, string error) = Run(folder, "0.4");
+            Assert.That(exitCode, Is.EqualTo(ExitCodes.CheckFailed));
+            Assert.That(error, Does.Contain("what is there is better").And.Contain("--replace"));
+            Assert.That(File.ReadAllBytes(camera), Is.EqualTo(better));
+            Calibrate(folder, "0.4", "--replace");
+            Assert.That(File.ReadAllBytes(camera), Is.Not.EqualTo(better));
+            Calibrate(folder, "0.1");
+            Assert.That(File.ReadAllBytes(camera), Is.EqualTo(better));
+        }
+
+        [Test]
+        public void Board_OtherFileInItsPlace_IsNotOverwritten()
+        {
+            using var folder = new TemporaryFolder();
+            string camera = folder.File("camera.json");
+            foreach ((string content, string words) in new[] { ("my notes", "no calibration that this can judge"), ("{\"v\":9,\"kind\":\"camera\"}", "newer release"), ("{\"v\":1,\"kind\":\"camera\",\"image_size\":[10,10]}", "of another camera") })
+            {
+                File.WriteAllText(camera, content);
+                (int exitCode, _, string error) = Run(folder, "0.1");
+                Assert.That(exitCode, Is.EqualTo(ExitCodes.CheckFailed));
+                Assert.That(error, Does.Contain(words));
+                Assert.That(File.ReadAllText(camera), Is.EqualTo(content));
+            }
+        }
+
+        [Test]
+        public void History_WhatIsNoCalibration_IsNamedAndTheRestShown()
+        {
+            using var folder = new TemporaryFolder();
+            string history = folder.File("history");
+            CommandLine.AssertRefused("no such folder", "calibrate", "history", history);
+            Directory.CreateDirectory(history);
+            CommandLine.AssertRefused("holds no calibration", "calibrate", "history", history);
+            Calibrate(folder, "0.1", "--date", "2026-01-01", "--history", history);
+            File.WriteAllText(Path.Combine(history, "future.json"), "{\"v\":2,\"kind\":\"camera\"}");
+            File.WriteAllText(Path.Combine(history, "screen.json"), "{\"v\":1,\"kind\":\"screen\",\"date\":\"2026-01-02\",\"rms_px\":0.4,\"verify\":{\"n\":9,\"p95_mm\":2.5}}");
+            (int exitCode, string output, string error) = CommandLine.Run("calibrate", "history", history);
+            Assert.That(exitCode, Is.EqualTo(ExitCodes.Done));
+            Assert.That(error, Does.Contain("future.json").And.Contain("newer release"));
+            Assert.That(output, Does.Contain("held_out_mm").And.Contain("best: screen.json, 2.5000 mm"));
+        }
+
+        private static string Calibrate(TemporaryFolder folder, string noise, params string[] options)
+        {
+            (int exitCode, _, string error) = Run(folder, noise, options);
+            Assert.That(exitCode, Is.EqualTo(ExitCodes.Done), error);
+            return folder.File("camera.json");
+        }
+
+        private static (int ExitCode, string Output, string Error) Run(TemporaryFolder folder, string noise, params string[] options)
+        {
+            string corners = folder.File("corners.json");
+            CommandLine.Run("calibrate", "simulate", "--views", "8", "--noise", noise, "--out", corners);
+            return CommandLine.Run(["calibrate", "board", "--corners", corners, "--out", folder.File("camera.json"), .. options]);
+        }
+    }
+}
