@@ -38,5 +38,19 @@ namespace LaserTracking.Hands
 
         public int PersonId;
         public HandSide Side;
+
+        /// <summary>Distance along z at which a ray (z = 1) passes the forearm's line most closely; false when they run alike.</summary>
+        public static bool TryLineDepth(in ArmFit fit, Vector3D ray, out double zMm)
+        {
+            Vector3D r = ray.Normalized, d = fit.LineDirection;
+            double along = Vector3D.Dot(r, d), denominator = 1 - along * along;
+            zMm = 0;
+            // Nearer than about 40° to the ray an error across it moves the crossing point by more than itself.
+            if (d.LengthSquared == 0 || denominator < 0.4)
+                return false;
+            double t = (Vector3D.Dot(fit.LinePointMm, r) - along * Vector3D.Dot(fit.LinePointMm, d)) / denominator;
+            zMm = t * r.Z;
+            return zMm > 0;
+        }
     }
 }

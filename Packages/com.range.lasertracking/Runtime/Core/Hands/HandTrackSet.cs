@@ -136,7 +136,7 @@ namespace LaserTracking.Hands
         {
             Remember(ref track, fit, timeUs);
             track.MeasuredUs = timeUs;
-            track.HasLineOffset = ArmFitter.TryLineDepth(fit, fit.PalmMm, out double onLine);
+            track.HasLineOffset = ArmFit.TryLineDepth(fit, fit.PalmMm, out double onLine);
             track.LineOffsetMm = fit.PalmMm.Z - onLine;
             if (fit.Side != HandSide.Unknown)
             {
@@ -194,7 +194,7 @@ namespace LaserTracking.Hands
                 ray = (ray + hole) * 0.5;
             else
                 ray = hole;
-            if (onArm && ArmFitter.TryLineDepth(fit, ray, out double onLine))
+            if (onArm && ArmFit.TryLineDepth(fit, ray, out double onLine))
                 z = onLine + track.LineOffsetMm;
             track.PalmMm = ray * z;
             track.TimeUs = timeUs;
