@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using LaserTracking.Host.Studies.Clips;
 using LaserTracking.Host.Studies.Measuring;
+using LaserTracking.Host.Studies.Multiuser;
 using LaserTracking.Host.Studies.Simulated;
 using LaserTracking.Host.Studies.Dual;
 using LaserTracking.Host.Studies.Tracks;
@@ -25,6 +26,7 @@ namespace LaserTracking.Host.Studies
             new StaticStudy(),
             new FrameRateStudy(),
             new DotTracksStudy(),
+            new MultiuserStudy(),
             new Calibration.ScreenCalibrationStudy(),
             new Calibration.BoardStudy(),
             new RemoteFloodStudy(),

@@ -62,7 +62,7 @@ namespace LaserTracking.Fusion
             double drift = settings.AimDriftRadPerS * seconds, lever = shot.MuzzleSigmaM / distance;
             double common = drift * drift + lever * lever;
             double wrist = settings.WristSigmaRad * settings.WristSigmaRad + hand.Hand.AimSigmaRad * hand.Hand.AimSigmaRad + common;
-            double sight = settings.SightSpreadRad * settings.SightSpreadRad + hand.Hand.SightSigmaRad * hand.Hand.SightSigmaRad + common;
+            double sight = hand.Hand.SightSigmaRad * hand.Hand.SightSigmaRad + common;
             double sighted = double.IsNaN(shot.SightErrorRad) ? 0 : double.IsNaN(shot.AimErrorRad) ? 1 : settings.SightedShare;
             double aimed = 0;
             if (sighted > 0)

@@ -197,27 +197,17 @@ namespace LaserTracking.Fusion
             return isInView ? _settings.HiddenShare : _settings.OutOfViewShare;
         }
 
-        private double SightSigmaRad(int key, in FusedShot pair)
-        {
-            if (!_sights.TryEyes(key, out Vector3D eyes) || !_sights.TryPivot(key, pair.MuzzleM - eyes, out Vector3D pivot, out double sigma, out _))
-                return 1;
-            double reach = Math.Max(0.1, (pair.MuzzleM - pivot).Length), spread = _settings.SightSpreadRad * reach;
-            return Math.Sqrt(sigma * sigma + pair.MuzzleSigmaM * pair.MuzzleSigmaM + spread * spread) / reach;
-        }
+        private double SightSigmaRad(int key, in FusedShot pair) =>
+            _sights.TrySight(key, pair.MuzzleM, pair.MuzzleSigmaM, out _, out double sigma) ? sigma : 1;
 
         /// <summary>The hand with its sight line from where this person is known to aim over.</summary>
         private PairedHand Sighted(in PairedHand seen, int key)
         {
             PairedHand hand = seen;
-            if (key < 0 || !_sights.TryEyes(key, out Vector3D eyes))
+            if (key < 0 || !_sights.TrySight(key, _camera.ToScreenM(hand.Hand.MuzzleMm), hand.Hand.MuzzleSigmaMm * Axes.MetresPerMillimetre, out Vector3D sight, out double sigma))
                 return hand;
-            Vector3D muzzle = _camera.ToScreenM(hand.Hand.MuzzleMm);
-            if (!_sights.TryPivot(key, muzzle - eyes, out Vector3D pivot, out double sigma, out _))
-                return hand;
-            Vector3D sight = muzzle - pivot;
-            double reach = Math.Max(0.1, sight.Length), muzzleSigma = hand.Hand.MuzzleSigmaMm * Axes.MetresPerMillimetre;
             hand.Hand.SightDirection = _camera.PoseInScreenMm.InverseTransformDirection(sight).Normalized;
-            hand.Hand.SightSigmaRad = Math.Sqrt(sigma * sigma + muzzleSigma * muzzleSigma) / reach;
+            hand.Hand.SightSigmaRad = sigma;
             return hand;
         }
     }

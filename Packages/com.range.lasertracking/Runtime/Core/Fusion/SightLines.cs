@@ -29,6 +29,10 @@ namespace LaserTracking.Fusion
             public Vector3D Mixed;
             public Vector3D Weighted;
 
+            /// <summary>Squared sight errors in units of what is expected, and how many: how steadily this person is seen to aim.</summary>
+            public double SpreadSum;
+            public double SpreadCount;
+
             /// <summary>Shots of each colour.</summary>
             public ColorTally Colors;
         }
@@ -40,6 +44,10 @@ namespace LaserTracking.Fusion
 
         /// <summary>Who moved that far has half forgotten how they stood.</summary>
         private const double MovedM = 0.2;
+
+        /// <summary>How many shots the expected spread counts for, and how far below it nobody is believed to be.</summary>
+        private const double SpreadPrior = 3;
+        private const double MinScale = 0.25;
 
         private readonly FusionSettings _settings;
         private readonly Entry[] _entries = new Entry[Capacity];
@@ -102,15 +110,39 @@ namespace LaserTracking.Fusion
             return true;
         }
 
+        /// <summary>
+        /// Standard deviation of the line of sight over a muzzle, radians: the pivot's error, and the muzzle's and the aim's, these as this
+        /// person's shots have shown them to be. False for an unknown person.
+        /// </summary>
+        public bool TrySight(int personId, Vector3D muzzleM, double muzzleSigmaM, out Vector3D sight, out double sigmaRad)
+        {
+            sight = default;
+            sigmaRad = 0;
+            int at = IndexOf(personId);
+            if (at < 0 || !TryPivot(personId, muzzleM - _entries[at].EyeM, out Vector3D pivot, out double pivotSigma, out _))
+                return false;
+            sight = muzzleM - pivot;
+            double reach = Math.Max(0.1, sight.Length);
+            sigmaRad = Math.Sqrt(pivotSigma * pivotSigma / (reach * reach) + SpreadScale(_entries[at]) * Expected(muzzleSigmaM, reach));
+            return true;
+        }
+
         /// <summary>A shot that with this probability is this person's; counts that much.</summary>
         public void Learn(int personId, Vector3D muzzleM, double muzzleSigmaM, Vector3D directionM, double probability)
         {
             int at = IndexOf(personId);
-            if (at < 0)
+            if (at < 0 || !TryPivot(personId, directionM, out Vector3D pivot, out double pivotSigma, out _))
                 return;
             ref Entry e = ref _entries[at];
             Vector3D d = muzzleM - e.EyeM, u = directionM.Normalized;
-            double spread = _settings.SightSpreadRad * d.Length, weight = probability / (muzzleSigmaM * muzzleSigmaM + spread * spread);
+            double reach = Math.Max(0.1, (muzzleM - pivot).Length), expected = Expected(muzzleSigmaM, reach);
+            double weight = probability / (SpreadScale(e) * expected * reach * reach);
+            double error = ShotHandPairing.AngleRad(muzzleM - pivot, directionM), total = expected + pivotSigma * pivotSigma / (reach * reach);
+
+            // An error in two directions has twice the variance; one that the pivot may explain says the less about the rest.
+            double share = probability * expected / total;
+            e.SpreadSum = e.SpreadSum * Keep + share * error * error / (2 * total);
+            e.SpreadCount = e.SpreadCount * Keep + share;
             Vector3D across = muzzleM - u * Vector3D.Dot(muzzleM, u);
             double keep = (1 - (1 - Keep) * probability) * (1 - (1 - StillShare(e)) * probability);
             e.LearnedAtM = e.Diagonal.LengthSquared > 0 ? e.LearnedAtM + (e.EyeM - e.LearnedAtM) * (0.3 * probability) : e.EyeM;
@@ -133,6 +165,14 @@ namespace LaserTracking.Fusion
             int at = IndexOf(personId);
             return at < 0 ? 1 : _entries[at].Colors.Factor(color, _settings.ColorKeptProbability);
         }
+
+        /// <summary>Variance of the line of sight from the muzzle and the aim, square radians, before anything is known of the person.</summary>
+        private double Expected(double muzzleSigmaM, double reachM) =>
+            muzzleSigmaM * muzzleSigmaM / (reachM * reachM) + _settings.SightSpreadRad * _settings.SightSpreadRad;
+
+        /// <summary>Factor on that variance: the mean of what was seen and of the expectation, which counts for a few shots.</summary>
+        private static double SpreadScale(in Entry e) =>
+            Math.Max(MinScale * MinScale, (SpreadPrior + e.SpreadSum) / (SpreadPrior + e.SpreadCount));
 
         private static double StillShare(in Entry e) => 1 / (1 + (e.EyeM - e.LearnedAtM).LengthSquared / (MovedM * MovedM));
 

@@ -6,6 +6,10 @@ namespace LaserTracking.Hands
     internal struct ArmFit
     {
         public Vector3D PalmMm;
+
+        /// <summary>The middle of the hand's visible surface, moved in by half a palm's thickness: seen also where the weapon is not.</summary>
+        public Vector3D SurfaceMm;
+
         public Vector3D MuzzleMm;
         /// <summary>The muzzle is the end of what is seen before the hand, not inferred.</summary>
         public bool HasWeapon;
@@ -34,5 +38,19 @@ namespace LaserTracking.Hands
 
         public int PersonId;
         public HandSide Side;
+
+        /// <summary>Distance along z at which a ray (z = 1) passes the forearm's line most closely; false when they run alike.</summary>
+        public static bool TryLineDepth(in ArmFit fit, Vector3D ray, out double zMm)
+        {
+            Vector3D r = ray.Normalized, d = fit.LineDirection;
+            double along = Vector3D.Dot(r, d), denominator = 1 - along * along;
+            zMm = 0;
+            // Nearer than about 40° to the ray an error across it moves the crossing point by more than itself.
+            if (d.LengthSquared == 0 || denominator < 0.4)
+                return false;
+            double t = (Vector3D.Dot(fit.LinePointMm, r) - along * Vector3D.Dot(fit.LinePointMm, d)) / denominator;
+            zMm = t * r.Z;
+            return zMm > 0;
+        }
     }
 }

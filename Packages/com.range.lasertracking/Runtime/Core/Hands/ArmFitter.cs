@@ -71,13 +71,15 @@ namespace LaserTracking.Hands
             if (fit.HandAreaMm2 > _settings.MaxHandAreaMm2)
                 return false;
             Vector3D palm = hand + hand.Normalized * _settings.HandHalfThicknessMm;
-            fit.PalmMm = palm;
+            fit.PalmMm = fit.SurfaceMm = palm;
             fit.PalmSigmaMm = _settings.PalmSigmaMm;
             fit.Axis = isClear ? axis : default;
             fit.AxisSigmaRad = hasRear ? 1.5 * _settings.PalmSigmaMm / (hand - rear).Length : 0.3;
+            if (!part.HasOneRoot)
+                fit.AxisSigmaRad = Math.Sqrt(Square(fit.AxisSigmaRad) + Square(_settings.TwoArmsSigmaRad));
             if (hasRear)
                 FitLine(axis, handEnd - _settings.ForearmLengthMm, handEnd, rear, ref fit);
-            Muzzle(axis, isClear, hasWeapon, front, ref fit);
+            Muzzle(axis, isClear, part, ref fit);
             if (IsCut(grid, hand + axis * (front - Vector3D.Dot(hand, axis)), axis))
                 fit.MuzzleSigmaMm = Math.Max(fit.MuzzleSigmaMm, _settings.CutSigmaMm);
             fit.Side = SideOf(part);
@@ -280,22 +282,63 @@ namespace LaserTracking.Hands
             fit.LineDirection = v;
         }
 
-        private void Muzzle(Vector3D axis, bool isClear, bool hasWeapon, double front, ref ArmFit fit)
+        /// <summary>
+        /// The end of a narrow part before the hand, or a pistol's length along the line of fire. A muzzle that is seen tells how far
+        /// back the palm is, as of a fist only the front is seen, and where two hands on one weapon are seen as one between them all of it.
+        /// </summary>
+        private void Muzzle(Vector3D axis, bool isClear, in ArmPart part, ref ArmFit fit)
         {
-            if (hasWeapon && Mean(axis, front - 2 * BinMm, front + 1, out Vector3D end) > 0 && IsBefore(end, fit.PalmMm))
+            bool hasAim = TryAim(axis, isClear, part, fit, out Vector3D aim, out double aimSigma);
+            if (TryWeapon(axis, fit.PalmMm, out Vector3D end) || (hasAim && TryWeapon(aim, fit.PalmMm, out end)))
             {
-                fit.MuzzleMm = end + axis * BinMm;
+                fit.MuzzleMm = end;
                 fit.HasWeapon = true;
                 fit.MuzzleSigmaMm = _settings.PalmSigmaMm;
+                if (!hasAim)
+                    return;
+                Vector3D grip = fit.MuzzleMm - aim * _settings.GripToMuzzleMm - BoreAboveGrip(aim);
+                fit.PalmMm = part.HasOneRoot ? fit.SurfaceMm + aim * Vector3D.Dot(grip - fit.SurfaceMm, aim) : grip;
+                fit.PalmSigmaMm = Math.Sqrt(_settings.PalmSigmaMm * _settings.PalmSigmaMm + Square(_settings.GripToMuzzleMm * aimSigma));
                 return;
             }
 
             double beyond = _settings.MuzzleBeyondPalmMm;
-            isClear &= Vector3D.Dot(axis, _upright.Away) < 0;
-            fit.MuzzleMm = isClear ? fit.PalmMm + axis * beyond + BoreAboveGrip(axis) : fit.PalmMm;
-            double swing = isClear ? beyond * fit.AxisSigmaRad : beyond;
-            fit.MuzzleSigmaMm = Math.Sqrt(_settings.MuzzleSigmaMm * _settings.MuzzleSigmaMm + swing * swing);
+            hasAim &= Vector3D.Dot(aim, _upright.Away) < 0;
+            fit.MuzzleMm = hasAim ? fit.PalmMm + aim * beyond + BoreAboveGrip(aim) : fit.PalmMm;
+            fit.MuzzleSigmaMm = Math.Sqrt(Square(_settings.MuzzleSigmaMm) + Square(beyond * (hasAim ? aimSigma : 1)));
         }
+
+        /// <summary>
+        /// The line of fire from what is seen of it: the forearm's axis and the line from the eyes over the weapon, weighted by their
+        /// variances. Of two arms on one weapon neither points where it points.
+        /// </summary>
+        private bool TryAim(Vector3D axis, bool isClear, in ArmPart part, in ArmFit fit, out Vector3D aim, out double sigmaRad)
+        {
+            double arm = 1 / (Square(_settings.WristSigmaRad) + Square(fit.AxisSigmaRad));
+            aim = axis;
+            sigmaRad = fit.AxisSigmaRad;
+            if (!part.HasEye)
+                return isClear;
+            Vector3D sight = fit.PalmMm + _upright.Up * _settings.BoreAboveGripMm - part.EyeMm;
+            double eyes = Square(sight.Length / _settings.EyeSigmaMm);
+            double weight = isClear && Vector3D.Dot(axis, sight) > 0 ? arm : 0;
+            aim = (sight.Normalized * eyes + axis * weight).Normalized;
+            sigmaRad = Math.Sqrt(1 / (eyes + weight));
+            return true;
+        }
+
+        private bool TryWeapon(Vector3D axis, Vector3D palm, out Vector3D end)
+        {
+            double front = Front(axis, out double handStart), weapon = front - handStart;
+            end = default;
+            bool isLong = weapon > 3 * BinMm + _settings.HandLengthMm / 6 && weapon <= _settings.MaxWeaponMm;
+            if (!isLong || !(Mean(axis, front - 2 * BinMm, front + 1, out end) > 0) || !IsBefore(end, palm))
+                return false;
+            end += axis * BinMm;
+            return true;
+        }
+
+        private static double Square(double value) => value * value;
 
         /// <summary>Weapons point to the screen: a narrow end that is no nearer to it than the hand is an elbow or a cuff.</summary>
         private bool IsBefore(Vector3D end, Vector3D palm) => Vector3D.Dot(palm - end, _upright.Away) > 0.25 * _settings.MuzzleBeyondPalmMm;
@@ -339,26 +382,12 @@ namespace LaserTracking.Hands
             fit.IsHandLost = true;
             Vector3D tip = middle + axis * (front - Vector3D.Dot(middle, axis));
             double z = tip.Z + axis.Z * _settings.HandLengthMm / 2;
-            if (TryLineDepth(fit, holeRay, out double onLine))
+            if (ArmFit.TryLineDepth(fit, holeRay, out double onLine))
                 z = onLine;
-            fit.PalmMm = holeRay * (z + _settings.HandHalfThicknessMm);
+            fit.PalmMm = fit.SurfaceMm = holeRay * (z + _settings.HandHalfThicknessMm);
             fit.MuzzleMm = fit.PalmMm + axis * _settings.MuzzleBeyondPalmMm + BoreAboveGrip(axis);
             fit.PalmSigmaMm *= 3;
             fit.MuzzleSigmaMm = Math.Sqrt(fit.MuzzleSigmaMm * fit.MuzzleSigmaMm + fit.PalmSigmaMm * fit.PalmSigmaMm);
-        }
-
-        /// <summary>Distance along z at which a ray (z = 1) passes the forearm's line most closely; false when they run alike.</summary>
-        public static bool TryLineDepth(in ArmFit fit, Vector3D ray, out double zMm)
-        {
-            Vector3D r = ray.Normalized, d = fit.LineDirection;
-            double along = Vector3D.Dot(r, d), denominator = 1 - along * along;
-            zMm = 0;
-            // Nearer than about 40° to the ray an error across it moves the crossing point by more than itself.
-            if (d.LengthSquared == 0 || denominator < 0.4)
-                return false;
-            double t = (Vector3D.Dot(fit.LinePointMm, r) - along * Vector3D.Dot(fit.LinePointMm, d)) / denominator;
-            zMm = t * r.Z;
-            return zMm > 0;
         }
     }
 }

@@ -92,6 +92,15 @@ namespace LaserTracking.Hands
         /// <summary>Where no weapon is seen: from the palm to the muzzle along the arm. 130 mm fits a pistol held in a fist.</summary>
         public double MuzzleBeyondPalmMm { get; set; } = 130;
 
+        /// <summary>From the middle of the grip to the muzzle along the bore: 150 mm of a full-size pistol. More than <see cref="MuzzleBeyondPalmMm"/>, as a fist's visible front lies before its middle.</summary>
+        public double GripToMuzzleMm { get; set; } = 150;
+
+        /// <summary>Standard deviation between forearm and bore about one axis: 15°, the wrist bends and the eye is not in the shoulder.</summary>
+        public double WristSigmaRad { get; set; } = 0.26;
+
+        /// <summary>The same for two arms on one weapon, of which the axis is that of one or of both: a shoulder beside the line, over an arm's length.</summary>
+        public double TwoArmsSigmaRad { get; set; } = 0.5;
+
         /// <summary>How far a pistol's bore lies above the middle of the hand that holds it.</summary>
         public double BoreAboveGripMm { get; set; } = 50;
 
@@ -136,7 +145,7 @@ namespace LaserTracking.Hands
             Check(SurfaceStepMm > 0 && HoleMm >= 0 && ForwardMm > 0 && MinReachMm >= 0 && EyeBelowCrownMm >= 0 && EyeSigmaMm > 0 && SightSigmaRad > 0 && ForearmRadiusMm >= 0 && TorsoHalfWidthMm > 0, "lengths above zero");
             Check(MinArmAreaMm2 > 0 && MaxArmAreaMm2 > MinArmAreaMm2 && MaxHandAreaMm2 > MinArmAreaMm2, "areas above zero, limits in order");
             Check(HandLengthMm > 0 && ForearmLengthMm > 0 && HandHalfThicknessMm >= 0 && MinHandWidthMm >= 0, "sizes of the hand above zero");
-            Check(MuzzleBeyondPalmMm >= 0 && BoreAboveGripMm >= 0 && WeaponKeptMm >= 0 && WeaponKeptUs >= 0 && PalmSigmaMm > 0 && MuzzleSigmaMm > 0 && CutSigmaMm > 0, "uncertainties above zero");
+            Check(MuzzleBeyondPalmMm >= 0 && GripToMuzzleMm >= 0 && WristSigmaRad > 0 && TwoArmsSigmaRad >= 0 && BoreAboveGripMm >= 0 && WeaponKeptMm >= 0 && WeaponKeptUs >= 0 && PalmSigmaMm > 0 && MuzzleSigmaMm > 0 && CutSigmaMm > 0, "uncertainties above zero");
             Check(TrackGateMm > 0 && TrackMemoryUs >= 0 && BridgeUs >= 0, "TrackGateMm above zero, times not negative");
             Check(LostShare > 0 && LostShare <= 1, "LostShare above 0, at most 1");
             Check(MaxHands >= 1 && MaxHands <= 64, "MaxHands 1…64");

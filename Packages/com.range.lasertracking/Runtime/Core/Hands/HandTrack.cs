@@ -25,8 +25,12 @@ namespace LaserTracking.Hands
         /// <summary>From palm to muzzle, as last measured.</summary>
         public Vector3D MuzzleOffsetMm;
 
-        /// <summary>Palm and offset to the muzzle when the weapon itself was last seen; time 0: never.</summary>
-        public Vector3D WeaponPalmMm;
+        /// <summary>The hand's surface when the weapon was last seen.</summary>
+        public Vector3D WeaponSurfaceMm;
+
+        /// <summary>From that to the palm.</summary>
+        public Vector3D GripOffsetMm;
+
         public Vector3D WeaponOffsetMm;
         public long WeaponUs;
 

@@ -136,7 +136,7 @@ namespace LaserTracking.Hands
         {
             Remember(ref track, fit, timeUs);
             track.MeasuredUs = timeUs;
-            track.HasLineOffset = ArmFitter.TryLineDepth(fit, fit.PalmMm, out double onLine);
+            track.HasLineOffset = ArmFit.TryLineDepth(fit, fit.PalmMm, out double onLine);
             track.LineOffsetMm = fit.PalmMm.Z - onLine;
             if (fit.Side != HandSide.Unknown)
             {
@@ -145,18 +145,19 @@ namespace LaserTracking.Hands
             }
 
             double muzzleSigma = fit.MuzzleSigmaMm;
-            if (!fit.HasWeapon && fit.MuzzleSigmaMm < _settings.CutSigmaMm && IsWeaponKnown(track, timeUs, out double moved))
+            if (!fit.HasWeapon && fit.MuzzleSigmaMm < _settings.CutSigmaMm && IsWeaponKnown(track, fit.SurfaceMm, timeUs, out double moved))
             {
-                track.MuzzleOffsetMm = track.WeaponOffsetMm;
+                track.PalmMm = fit.SurfaceMm + track.GripOffsetMm;
+                track.MuzzleOffsetMm = track.WeaponOffsetMm - track.GripOffsetMm;
                 muzzleSigma = Math.Sqrt(2 * _settings.PalmSigmaMm * _settings.PalmSigmaMm + 0.1 * moved * moved);
             }
 
             Report(track, fit.PalmSigmaMm, muzzleSigma, DepthSource.Measured, observations);
         }
 
-        private bool IsWeaponKnown(in HandTrack track, long timeUs, out double movedMm)
+        private bool IsWeaponKnown(in HandTrack track, Vector3D surfaceMm, long timeUs, out double movedMm)
         {
-            movedMm = (track.PalmMm - track.WeaponPalmMm).Length;
+            movedMm = (surfaceMm - track.WeaponSurfaceMm).Length;
             return track.WeaponUs > 0 && timeUs - track.WeaponUs <= _settings.WeaponKeptUs && movedMm <= _settings.WeaponKeptMm;
         }
 
@@ -170,8 +171,9 @@ namespace LaserTracking.Hands
             track.Sight = fit.Sight;
             if (fit.HasWeapon)
             {
-                track.WeaponPalmMm = fit.PalmMm;
-                track.WeaponOffsetMm = track.MuzzleOffsetMm;
+                track.WeaponSurfaceMm = fit.SurfaceMm;
+                track.WeaponOffsetMm = fit.MuzzleMm - fit.SurfaceMm;
+                track.GripOffsetMm = fit.PalmMm - fit.SurfaceMm;
                 track.WeaponUs = timeUs;
             }
 
@@ -192,7 +194,7 @@ namespace LaserTracking.Hands
                 ray = (ray + hole) * 0.5;
             else
                 ray = hole;
-            if (onArm && ArmFitter.TryLineDepth(fit, ray, out double onLine))
+            if (onArm && ArmFit.TryLineDepth(fit, ray, out double onLine))
                 z = onLine + track.LineOffsetMm;
             track.PalmMm = ray * z;
             track.TimeUs = timeUs;

@@ -17,6 +17,9 @@ namespace LaserTracking.Pipeline
         private const long OverflowAfterUs = 200_000;
         private const long SeeingAfterUs = 2_000_000;
 
+        /// <summary>Longer than this a hand is not where it was; shots go on being paired with what was seen, up to the fusion's window.</summary>
+        private const long HandsSilentUs = 500_000;
+
         private readonly PipelineSettings _settings;
         private readonly HealthWriter _health;
         private readonly PictureMonitor _monitor;
@@ -30,6 +33,7 @@ namespace LaserTracking.Pipeline
         private Condition _clock;
         private Condition _blind;
         private Condition _overflow;
+        private Condition _noHands;
         private bool _hadPicture = true;
         private readonly PredictionHealth _prediction = new PredictionHealth();
 
@@ -73,6 +77,19 @@ namespace LaserTracking.Pipeline
             int overflow = detections.OverflowCount;
             if (_overflow.Update(overflow > 0, overflow == 0, detections.TimeUs, OverflowAfterUs, SeeingAfterUs) && _overflow.IsOn)
                 _health.Say(HealthKind.Overflow, overflow, "so much changes at once that only the strongest spots are examined and faint shots are missed: lower the exposure, so that less of the picture changes");
+        }
+
+        /// <summary>Says once when camera 1 falls silent, and when it is back.</summary>
+        /// <param name="timeUs">Now, on camera 0's clock.</param>
+        /// <param name="lastHandsUs">Time of camera 1's last picture on that clock, or of the session's beginning.</param>
+        public void CheckHands(long timeUs, long lastHandsUs)
+        {
+            long silentUs = timeUs - lastHandsUs;
+            if (!_noHands.Update(silentUs > HandsSilentUs, silentUs <= HandsSilentUs / 2, timeUs, 0, HandsSilentUs))
+                return;
+            _health.Say(HealthKind.HandCamera, silentUs * 1e-6, _noHands.IsOn
+                ? FormattableString.Invariant($"no picture of camera 1 for {silentUs * 1e-6:F1} s: who fires is not known meanwhile; check its cable, and that both clocks are brought together")
+                : "pictures of camera 1 come again");
         }
 
         public void ReportInput(FrameProblem problem, long timeUs)

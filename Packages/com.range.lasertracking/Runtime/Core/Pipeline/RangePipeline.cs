@@ -35,6 +35,7 @@ namespace LaserTracking.Pipeline
         private long _sceneTimeZeroUs;
         private long _firstTimeUs;
         private long _lastTimeUs;
+        private long? _lastHandsUs;
         private int _frames;
         private int _dropped;
 
@@ -110,6 +111,8 @@ namespace LaserTracking.Pipeline
             if (!hasPicture)
                 _dropped++;
             _health.CheckFrame(frame, hasPicture);
+            if (_handTracker != null)
+                _health.CheckHands(frame.TimeUs, _lastHandsUs ?? _firstTimeUs);
             if (hasPicture)
                 _tracker.Process(_detections);
             else
@@ -127,6 +130,7 @@ namespace LaserTracking.Pipeline
         {
             if (_handTracker == null || !(_calibration?.HandCamera is HandCamera camera))
                 return;
+            _lastHandsUs = frame.TimeUs;
             _hands.Begin(frame.Index, frame.TimeUs);
             _handTracker.Process(frame, _hands);
             _fusion?.AddHands(_hands);

@@ -44,5 +44,8 @@ namespace LaserTracking.Session
 
         /// <summary>Packets for the remote input were dropped; the text says why. Value: how many for this reason until then.</summary>
         Remote = 13,
+
+        /// <summary>Camera 1 falls silent or comes back. Value: seconds without a picture of it.</summary>
+        HandCamera = 14,
     }
 }

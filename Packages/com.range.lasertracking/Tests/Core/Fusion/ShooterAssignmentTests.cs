@@ -60,6 +60,23 @@ namespace LaserTracking.Fusion
         }
 
         [Test]
+        public void Fuse_HandFartherAwayInTime_IsLessSure()
+        {
+            var muzzle = new Vector3D(1.5, 1.0, -2.5);
+            var dot = new Vector2D(1.2, 0.8);
+            double last = 1;
+            foreach (long deltaUs in new[] { 0L, 70_000L, 300_000L })
+            {
+                _assignment = new ShooterAssignment(Camera, new FusionSettings { MinProbability = 0 });
+                See(0, Hand(4, muzzle, dot, HandSide.Right));
+                FusedShot fused = _assignment.Fuse(Shot(deltaUs, LaserColor.Green), dot);
+                Assert.That(fused.PairDeltaUs, Is.EqualTo(-deltaUs));
+                Assert.That(fused.ShooterProbability, Is.LessThan(last));
+                last = fused.ShooterProbability;
+            }
+        }
+
+        [Test]
         public void Fuse_TwoAtOnceWithCrossingBeams_EachGetsTheirOwn()
         {
             var left = new Vector2D(0.8, 1.0);

@@ -115,6 +115,44 @@ namespace LaserTracking.Pipeline
             Assert.That(recorder.Health.Count(h => h.Kind == HealthKind.FrameGap), Is.GreaterThanOrEqualTo(1));
         }
 
+        [Test]
+        public void RangePipeline_CameraOneFallsSilent_IsSaidOnceAndWhenItIsBack()
+        {
+            SimulatedRange range = SmallRange();
+            var recorder = new SessionRecorder();
+            RangePipeline pipeline = Create(range, recorder);
+            pipeline.Begin(Header());
+            using var frame = new Frame();
+            for (int i = 0; i < 120; i++)
+            {
+                // Empty pictures: the times alone count here.
+                frame.Begin(i, i * 33_333L);
+                if (i < 20 || i > 60)
+                    pipeline.ProcessHands(frame);
+                pipeline.Process(frame);
+            }
+
+            HealthEvent[] said = recorder.Health.Where(h => h.Kind == HealthKind.HandCamera).ToArray();
+            Assert.That(said.Length, Is.EqualTo(2));
+            Assert.That(said[0].Value, Is.EqualTo(0.53).Within(0.04), "seconds of silence");
+            Assert.That(said[1].FrameIndex, Is.InRange(61, 80));
+        }
+
+        [Test]
+        public void RangePipeline_CameraOneNeverComes_ShotsGoOnWithoutAShooter()
+        {
+            SimulatedRange range = SmallRange();
+            var recorder = new SessionRecorder();
+            RangePipeline pipeline = Create(range, recorder);
+            pipeline.Begin(Header());
+            foreach (Frame frame in AllFrames(range.CreateColorSource()))
+                pipeline.Process(frame);
+            pipeline.End(0);
+            Assert.That(recorder.Shots.Count, Is.EqualTo(2));
+            Assert.That(recorder.Shots.All(s => s.Shooter == 0 && !s.HasMuzzle && s.HasHit), Is.True);
+            Assert.That(recorder.CountOf(HealthKind.HandCamera), Is.EqualTo(1));
+        }
+
         [TestCase(-0.1, 2.5)]
         [TestCase(double.NaN, 2.5)]
         [TestCase(0.5, 1.0)]

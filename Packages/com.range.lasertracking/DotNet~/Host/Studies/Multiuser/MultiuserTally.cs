@@ -1,0 +1,53 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using LaserTracking.Host.Scoring;
+using LaserTracking.Session;
+
+namespace LaserTracking.Host.Studies.Multiuser
+{
+    /// <summary>What all seeds of one situation gave.</summary>
+    internal sealed class MultiuserTally
+    {
+        public static readonly string[] Columns =
+        {
+            "case", "right", "wrong", "unknown", "switches", "side right", "MOTA %", "IDF1 %", "arm seen %", "muzzle mm", "p95", "palm mm", "p95 ", "palm found %", "direction °", "pair ms",
+        };
+
+        private readonly List<NamedShot> _shots = new();
+        private readonly List<double> _palms = new();
+        private readonly List<TrackMetrics> _tracks = new();
+
+        public IReadOnlyList<NamedShot> Shots => _shots;
+
+        public void Add(MultiuserRun run)
+        {
+            _shots.AddRange(run.Shots);
+            _palms.AddRange(run.PalmErrorsMm);
+            _tracks.Add(run.Tracks);
+        }
+
+        public void Write(string name, StudyTable table)
+        {
+            double[] muzzles = _shots.Where(s => s.HasRightMuzzle && s.IsArmSeen).Select(s => s.MuzzleErrorMm).ToArray();
+            double[] palms = _palms.Where(double.IsFinite).ToArray();
+            NamedShot[] sided = _shots.Where(s => s.IsSideSaid).ToArray(), paired = _shots.Where(s => s.HasRightMuzzle).ToArray();
+            table.Add(name, Share(s => s.IsRight), Share(s => s.IsNamed && !s.IsRight), Share(s => !s.IsNamed), _shots.Count(s => s.IsSwitch),
+                new Proportion(sided.Count(s => s.Said.Hand == s.Fired.Hand), sided.Length),
+                100 * _tracks.Average(t => t.Mota), 100 * _tracks.Average(t => t.IdentityF1),
+                100.0 * _shots.Count(s => s.IsArmSeen) / Math.Max(1, _shots.Count),
+                Quantile(muzzles, 0.5), Quantile(muzzles, 0.95), Quantile(palms, 0.5), Quantile(palms, 0.95), 100.0 * palms.Length / Math.Max(1, _palms.Count),
+                Quantile(paired.Select(s => s.DirectionErrorDeg).ToArray(), 0.5), Quantile(paired.Select(s => Math.Abs(s.Said.PairDeltaUs) / 1000.0).ToArray(), 0.5));
+        }
+
+        public static double Quantile(double[] values, double share)
+        {
+            if (values.Length == 0)
+                return double.NaN;
+            double[] sorted = values.Order().ToArray();
+            return sorted[(int)Math.Min(sorted.Length - 1, Math.Floor(share * sorted.Length))];
+        }
+
+        private Proportion Share(Func<NamedShot, bool> which) => new(_shots.Count(which), _shots.Count);
+    }
+}
