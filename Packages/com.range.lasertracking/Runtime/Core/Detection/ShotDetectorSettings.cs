@@ -34,7 +34,7 @@ namespace LaserTracking.Detection
         public double MinLogOdds { get; set; } = 0.4;
 
         /// <summary>Evidence at which one frame suffices, log-odds −20…20.</summary>
-        public double ConclusiveLogOdds { get; set; } = 2.1;
+        public double ConclusiveLogOdds { get; set; } = 2.3;
 
         /// <summary>Least area at half height, px² at 640, 0…10000.</summary>
         public double MinAreaPx { get; set; } = 4;
