@@ -53,7 +53,7 @@ namespace LaserTracking.Host.Commands
                 using ResultFile? written = new(target!), drawn = picture == null ? null : new ResultFile(picture);
                 JObject? content = inputs.Length > 0
                     ? Automatic(inputs, sizeM, limitMm, lens, drawn, interrupted)
-                    : ByHand(file, given, sizeM, parsed.GetValue(imageSize)!, limitMm, lens, drawn);
+                    : ByHand(file, given, sizeM, parsed.GetValue(imageSize)!, parsed.GetResult(imageSize) is { Implicit: false }, limitMm, lens, drawn);
                 if (content == null)
                     return System.Threading.Tasks.Task.FromResult(ExitCodes.CheckFailed);
                 if (day != null)
@@ -104,7 +104,7 @@ namespace LaserTracking.Host.Commands
             return found.IsAccepted ? Merged(new RangeCalibration(found.Screen!, found.View.ImageWidth, found.View.ImageHeight, null), result) : null;
         }
 
-        private static JObject? ByHand(string? file, string[] corners, Vector2D sizeM, string imageSize, double limitMm, LensCamera? lens, ResultFile? map)
+        private static JObject? ByHand(string? file, string[] corners, Vector2D sizeM, string imageSize, bool isSizeGiven, double limitMm, LensCamera? lens, ResultFile? map)
         {
             if (map != null)
                 throw new InputException("--map", "there is a map of the pattern's points only", "use it with --image");
@@ -115,12 +115,15 @@ namespace LaserTracking.Host.Commands
                 throw new InputException(source, reason, "measure these points again");
             var calibration = new RangeCalibration(screen!, width, height, null);
             ScreenReport.CheckPlace(calibration, source);
+            bool isSure = file != null && (measured.ImageSize != null || lens != null || isSizeGiven);
+            ScreenReport.CheckInside(measured.ImagePx, "image_px", calibration, source, isSure);
+            ScreenReport.CheckInside(measured.VerifyImagePx, "verify.image_px", calibration, source, isSure);
             JObject result = ScreenReport.OfPoints(screen!, measured, withFit: true);
             Console.WriteLine(result.ToString());
             if (!ScreenReport.Passes(screen!, measured, limitMm, "; nothing was written"))
                 return null;
             if (measured.VerifyImagePx.Length == 0)
-                Console.Error.WriteLine("range: no check points: the fit goes through its corners exactly and proves nothing; fire at known places and give them as \"verify\" in --points");
+                Console.Error.WriteLine($"range: no check points: {(measured.ImagePx.Length == 4 ? "the fit goes through its corners exactly and" : "how well the fit meets its own points")} proves nothing; fire at known places and give them as \"verify\" in --points");
             return Merged(calibration, result);
         }
 
