@@ -79,7 +79,7 @@ namespace LaserTracking.Host.Calibration
             string nameField = HasPairs ? side : "image", pointsField = HasPairs ? side + "_px" : "px", idsField = HasPairs ? side + "_ids" : "ids";
             string[] names = items.Select((item, i) => (string?)(item[nameField] as JValue) ?? FormattableString.Invariant($"{(HasPairs ? side + " " : string.Empty)}view {i + 1}")).ToArray();
             string[] paths = names.Select(name => Path.Combine(Path.GetDirectoryName(Path.GetFullPath(_path))!, Path.GetFileName(name))).ToArray();
-            Vector2D[][] px = items.Select((item, i) => Points(item[pointsField], _path, names[i] + " " + pointsField)).ToArray();
+            Vector2D[][] px = items.Select((item, i) => Points(item[pointsField], _path, pointsField + " of " + names[i])).ToArray();
             (int width, int height) = imageSize ?? SizeInFile(side) ?? SizeOfPictures(paths) ?? UsualSize(px, side);
             var seen = new SeenBoards(names, paths.Select(path => File.Exists(path) ? path : null).ToArray(), width, height);
             for (int i = 0; i < items.Length; i++)
@@ -166,7 +166,7 @@ namespace LaserTracking.Host.Calibration
         private static Vector2D[] Points(JToken? token, string path, string field)
         {
             if (token is not JArray list)
-                throw new InputException(path, $"{field} is missing", Remedy);
+                throw new InputException(path, $"field {field} is missing", Remedy);
             var points = new Vector2D[list.Count];
             for (int i = 0; i < points.Length; i++)
             {

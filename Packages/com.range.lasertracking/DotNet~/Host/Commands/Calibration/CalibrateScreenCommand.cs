@@ -31,9 +31,10 @@ namespace LaserTracking.Host.Commands
             var output = new Option<string>("--out") { HelpName = "FILE", Description = "The calibration to write.", DefaultValueFactory = _ => "screen.json" };
             var limit = LimitOption();
             var map = new Option<string?>("--map") { HelpName = "FILE.png", Description = "A picture of the errors over the screen, also when the calibration is refused." };
+            var replace = new Option<bool>("--replace") { Description = "Take the place of the file that is there even when that one is better." };
             var history = new Option<string?>("--history") { HelpName = "DIR", Description = "Keep this calibration there too; see 'calibrate history'." };
             var date = new Option<string?>("--date") { HelpName = "YYYY-MM-DD", Description = "When the pictures were taken; needed with --history." };
-            var command = new Command("screen", "Fits image pixels to screen metres and proves the fit.") { images, points, corners, size, imageSize, camera, output, limit, map, history, date };
+            var command = new Command("screen", "Fits image pixels to screen metres and proves the fit.") { images, points, corners, size, imageSize, camera, output, limit, map, replace, history, date };
             command.SetAction((parsed, interrupted) =>
             {
                 Vector2D sizeM = SizeM(parsed.GetValue(size)!);
@@ -61,6 +62,12 @@ namespace LaserTracking.Host.Commands
                 byte[] bytes = Encoding.UTF8.GetBytes(content.ToString().ReplaceLineEndings("\n") + "\n");
                 if (folder != null)
                     CalibrationHistory.Keep(folder, content, bytes);
+                if (!parsed.GetValue(replace) && CalibrationHistory.WhyScreenKept(target!, content) is string better)
+                {
+                    Console.Error.WriteLine($"range: {target}: {better}; it stays: --replace puts the new one in its place, --out FILE beside it");
+                    return System.Threading.Tasks.Task.FromResult(ExitCodes.CheckFailed);
+                }
+
                 written.Stream.Write(bytes);
                 written.Commit();
                 return System.Threading.Tasks.Task.FromResult(ExitCodes.Done);
