@@ -71,6 +71,17 @@ namespace LaserTracking.Commands
         }
 
         [Test]
+        public void Screen_ResultInPlaceOfAPictureOfTheFolder_OrOfTheMap_IsRefused()
+        {
+            using var folder = new TemporaryFolder();
+            string picture = folder.File("a-1.png");
+            File.WriteAllText(picture, "kept");
+            CommandLine.AssertRefused("this file is also read", "calibrate", "screen", "--size", "3x2", "--image", folder.Path, "--out", picture);
+            CommandLine.AssertRefused("--map: is the name of the calibration too", "calibrate", "screen", "--size", "3x2", "--image", folder.Path, "--out", "o.json", "--map", "o.json");
+            Assert.That(File.ReadAllText(picture), Is.EqualTo("kept"));
+        }
+
+        [Test]
         public void Screen_CornerOutsideTheImage_IsSaid()
         {
             using var folder = new TemporaryFolder();

@@ -49,6 +49,8 @@ namespace LaserTracking.Host.Commands
                     throw new InputException("--date", $"\"{day}\" is no date", "write it as 2026-11-22");
                 foreach (string? result in new[] { target, picture })
                     ResultFile.CheckNotRead(result, [file, parsed.GetValue(camera), .. inputs]);
+                if (picture != null && picture == target)
+                    throw new InputException("--map", "is the name of the calibration too", "give the map a name of its own");
                 double limitMm = LimitMm(parsed.GetValue(limit));
                 LensCamera? lens = parsed.GetValue(camera) is string name ? LensCameraJson.ReadFile(name) : null;
                 using ResultFile? written = new(target!), drawn = picture == null ? null : new ResultFile(picture);
