@@ -2,6 +2,7 @@ using System;
 using LaserTracking.Capture;
 using LaserTracking.Detection;
 using LaserTracking.Geometry;
+using LaserTracking.Hands.Model;
 using LaserTracking.Pipeline;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
@@ -41,12 +42,17 @@ namespace LaserTracking.Unity
         private FrameSourceAsset? _handSource;
 
         [SerializeField]
+        [Tooltip("Path of hand_landmark_lite.tflite or hand_landmark_full.tflite: sharpens palms and sides where camera 1 has infrared. Empty: depth alone.")]
+        private string _handModelFile = "";
+
+        [SerializeField]
         [Tooltip("Called for every shot, hit or miss.")]
         private UnityEvent<ShotEvent> _shotFired = new UnityEvent<ShotEvent>();
 
         private FramePump? _pump;
         private ShotQueue? _shots;
         private PhysicsRaycaster? _raycaster;
+        private HandLandmarkNetwork? _handModel;
         private bool _isOpen;
 
         /// <summary>Raised on the main thread for every shot, hit or miss, in the order of the shots.</summary>
@@ -68,6 +74,8 @@ namespace LaserTracking.Unity
             _pump?.Dispose();
             RaiseShots();
             _pump = null;
+            _handModel?.Dispose();
+            _handModel = null;
         }
 
         // The sources open here and not in OnEnable: by now every other component of the scene is awake.
@@ -104,8 +112,9 @@ namespace LaserTracking.Unity
                     handSource = _handSource == null ? _source.CreateHandSource() : _handSource.CreateSource(this);
                 long handClockOffsetUs = handSource == null ? 0 : _handSource == null ? _source.HandClockOffsetUs : _handSource.ClockOffsetUs;
                 _shots = new ShotQueue(this);
+                _handModel = handSource == null ? null : OpenHandModel();
                 var settings = new PipelineSettings { SceneTimeZeroUs = _source.SceneTimeZeroUs };
-                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(), calibration, handSource != null, BuildScorer(), _shots, settings);
+                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(), calibration, handSource != null, BuildScorer(), _shots, settings, _handModel);
                 pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
                 _pump = new FramePump(pipeline, source, handSource, handClockOffsetUs, _source.SceneTimeZeroUs, _source.LatencyS);
             }
@@ -114,6 +123,22 @@ namespace LaserTracking.Unity
                 source?.Dispose();
                 handSource?.Dispose();
                 Debug.LogError(problem.Message, this);
+            }
+        }
+
+        /// <summary>Without its file hands are found by depth alone.</summary>
+        private HandLandmarkNetwork? OpenHandModel()
+        {
+            if (_handModelFile.Length == 0)
+                return null;
+            try
+            {
+                return HandLandmarkNetwork.Open(_handModelFile, HandModelFile.ByName(_handModelFile));
+            }
+            catch (InputException problem)
+            {
+                Debug.LogWarning(problem.Message + "; hands are found by depth alone", this);
+                return null;
             }
         }
 

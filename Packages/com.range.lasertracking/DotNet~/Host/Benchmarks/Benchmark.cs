@@ -28,6 +28,9 @@ namespace LaserTracking.Host.Benchmarks
 
         public Func<Action<int>> Prepare { get; }
 
+        /// <summary>Says what is not there that it needs; empty when it can run.</summary>
+        public Func<string> Missing { get; init; } = () => string.Empty;
+
         public BenchmarkResult Run(CancellationToken interrupted)
         {
             Action<int> operation = Prepare();

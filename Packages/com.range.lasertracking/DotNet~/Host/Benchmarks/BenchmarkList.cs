@@ -5,6 +5,7 @@ using LaserTracking.Detection;
 using LaserTracking.Fusion;
 using LaserTracking.Geometry;
 using LaserTracking.Hands;
+using LaserTracking.Hands.Model;
 using LaserTracking.Health;
 using LaserTracking.Imaging;
 using LaserTracking.Pipeline;
@@ -30,6 +31,8 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("health-1080p", "1920×1080 BGRA frame in, checks of the picture itself; moving scene, 2 dots", Health),
             new Benchmark("predict-1080p", "rendered frames known: what they cost on top of the search at 1920×1080; 640×360 pictures at 60 a second, everything moves", PredictionBenchmark.Prepare),
             new Benchmark("hands-640x576", "depth frame in, hands out; 2 people", Hands),
+            HandModelBenchmark.Create("hand-landmarks-lite", HandModelFile.Lite),
+            HandModelBenchmark.Create("hand-landmarks-full", HandModelFile.Full),
             new Benchmark("sort-6", "6 boxes in, tracks out; SORT", () => TrackingBenchmarks.Sort(6)),
             new Benchmark("sort-10", "10 boxes in, tracks out; SORT", () => TrackingBenchmarks.Sort(10)),
             new Benchmark("dots-8", "8 dots in, their numbers out; dot tracker", () => TrackingBenchmarks.Dots(8)),

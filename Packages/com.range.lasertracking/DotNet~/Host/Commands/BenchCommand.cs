@@ -41,6 +41,14 @@ namespace LaserTracking.Host.Commands
             {
                 foreach (Benchmark benchmark in all.Where(b => names.Length == 0 || names.Contains(b.Name)))
                 {
+                    string needed = benchmark.Missing();
+                    if (needed.Length > 0)
+                    {
+                        progress.Clear();
+                        Console.Error.WriteLine($"range: {benchmark.Name} is left out: {needed}");
+                        continue;
+                    }
+
                     progress.Show("timing " + benchmark.Name + " …");
                     results.Add(benchmark.Run(interrupted));
                 }

@@ -4,6 +4,8 @@ using System.Diagnostics;
 using System.IO;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics.X86;
+using LaserTracking.Hands.Model;
+using LaserTracking.Host.HandModels;
 
 namespace LaserTracking.Host.Commands
 {
@@ -24,6 +26,8 @@ namespace LaserTracking.Host.Commands
             Report(true, ".NET", RuntimeInformation.FrameworkDescription + ", " + RuntimeInformation.RuntimeIdentifier, string.Empty);
             Report(true, "processor", $"{Environment.ProcessorCount} threads, AVX2 {(Avx2.IsSupported ? "yes" : "no (slower, same results)")}", string.Empty);
             CheckProgram("ffmpeg", "videos and image folders cannot be read (recordings and the simulation can)");
+            foreach (HandModelFile file in HandModelStore.All)
+                Report(true, "hand model " + file.Name, File.Exists(HandModelStore.PathOf(file)) ? HandModelStore.PathOf(file) : "not there: hands by depth alone; './range models' fetches it", string.Empty);
             CheckDisk();
             CheckClock();
             Report(true, "cameras", "live cameras are reached from Unity; this program reads recordings, videos, pictures and the simulated range", string.Empty);

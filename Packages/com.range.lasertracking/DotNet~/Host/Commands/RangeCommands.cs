@@ -18,6 +18,8 @@ namespace LaserTracking.Host.Commands
                 TrackCommand.Create(),
                 ScoreTracksCommand.Create(),
                 CalibrateCommand.Create(),
+                HandsCommand.Create(),
+                ModelsCommand.Create(),
                 StudyCommand.Create(),
                 TrainCommand.Create(),
                 AdviseCommand.Create(),

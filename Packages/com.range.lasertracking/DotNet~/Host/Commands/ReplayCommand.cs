@@ -5,6 +5,8 @@ using System.Threading;
 using System.Threading.Tasks;
 using LaserTracking.Capture;
 using LaserTracking.Geometry;
+using LaserTracking.Hands.Model;
+using LaserTracking.Host.HandModels;
 using LaserTracking.Host.Scenes;
 using LaserTracking.Host.Sessions;
 using LaserTracking.Host.Sources;
@@ -22,6 +24,7 @@ namespace LaserTracking.Host.Commands
             var input = new Argument<string>("INPUT") { Description = "An Azure Kinect recording, any video that ffmpeg reads, or a folder of numbered images." };
             var hand = new Option<string?>("--hand") { HelpName = "FILE", Description = "The second camera's recording: who fired, from where." };
             var handOffset = new Option<long>("--hand-offset-us") { HelpName = "US", Description = "Added to the second camera's times, microseconds." };
+            var handModel = new Option<string?>("--hand-model") { HelpName = "NAME", Description = "Sharpens palms and sides with the hand model lite or full, where the second camera's recording has infrared; './range models' fetches it. Left out: depth alone." };
             var calibration = new Option<string?>("--calibration") { HelpName = "FILE", Description = "Where the screen lies in the image (made by 'calibrate screen')." };
             var scene = new Option<string?>("--scene") { HelpName = "FILE.unity", Description = "The Unity scene (.unity) that was shown: shots are scored against it." };
             var rendered = new Option<string?>("--rendered") { HelpName = "VIDEO", Description = "What the projector showed, on any clock: shots are found while it moves." };
@@ -33,7 +36,7 @@ namespace LaserTracking.Host.Commands
             var paced = new Option<bool>("--paced") { Description = "Runs at the recording's own speed." };
             var exposure = new Option<double>("--exposure-us") { HelpName = "US", Description = "The camera's shutter, microseconds: narrows the uncertainty of time and place, and what is said about the picture." };
             var row = new Option<double>("--row-us") { HelpName = "US", Description = "Rolling shutter: delay from one row to the next, microseconds." };
-            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, calibration, scene, rendered, detector, events, rejected, dots, report, paced, exposure, row };
+            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, handModel, calibration, scene, rendered, detector, events, rejected, dots, report, paced, exposure, row };
             command.SetAction((parsed, interrupted) =>
             {
                 RangeSession.CreateDetector(parsed.GetValue(detector)!);
@@ -53,12 +56,15 @@ namespace LaserTracking.Host.Commands
                     throw new InputException(renderedName, "the rendered frames need the screen's place in the image", "add --calibration FILE");
                 if (renderedName != null && parsed.GetValue(detector) != "shots")
                     throw new InputException(renderedName, "only the detector shots uses rendered frames", "leave out --rendered or --detector");
+                if (parsed.GetValue(handModel) != null && handName == null)
+                    throw new InputException("--hand-model", "there is no second camera to look at hands with", "add --hand FILE");
+                using HandLandmarkNetwork? hands = HandModelStore.TryOpen(parsed.GetValue(handModel), out string handModelProblem);
                 string problem = "";
                 using RenderedVideo? video = renderedName == null ? null : RenderedVideo.Open(renderedName, name, geometry!, interrupted, out problem);
                 IFrameSource screenFrames = FrameSources.OpenScreenCamera(name);
                 InfraredMapping? infraredMapping = InfraredMappings.Find(screenFrames, geometry, out string? infraredProblem);
                 using IFrameSource screenCamera = new PrefetchingFrameSource(screenFrames);
-                using IFrameSource? handCamera = handName == null ? null : new PrefetchingFrameSource(FrameSources.OpenHandCamera(handName));
+                using IFrameSource? handCamera = handName == null ? null : new PrefetchingFrameSource(FrameSources.OpenHandCamera(handName, hands != null));
                 var inputs = new List<SessionInput> { InputHash.Of(name) };
                 if (handName != null)
                     inputs.Add(InputHash.Of(handName));
@@ -68,6 +74,8 @@ namespace LaserTracking.Host.Commands
                 {
                     ScreenCamera = screenCamera,
                     HandCamera = handCamera,
+                    HandModel = hands,
+                    HandModelProblem = handModelProblem,
                     HandClockOffsetUs = parsed.GetValue(handOffset),
                     Calibration = geometry,
                     CalibrationName = calibrationName,

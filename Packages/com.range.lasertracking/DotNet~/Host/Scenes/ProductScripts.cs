@@ -42,7 +42,7 @@ namespace LaserTracking.Host.Scenes
         public static readonly IReadOnlyDictionary<string, string[]> EventsByClass = new Dictionary<string, string[]>
         {
             [LaserTarget] = new[] { "_hit" },
-            [LaserRange] = new[] { "_handSource", "_shotFired" },
+            [LaserRange] = new[] { "_handSource", "_handModelFile", "_shotFired" },
         };
 
         /// <summary>Fields that every MonoBehaviour and ScriptableObject has.</summary>

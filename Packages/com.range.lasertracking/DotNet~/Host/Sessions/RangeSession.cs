@@ -50,11 +50,14 @@ namespace LaserTracking.Host.Sessions
                     CameraTiming = plan.CameraTiming,
                     Monitor = new PictureMonitorSettings { ExposureUs = plan.CameraTiming.ExposureUs },
                     Advisor = new AdvisorSettings { ExposureUs = plan.CameraTiming.ExposureUs },
-                });
+                },
+                plan.HandModel);
             pipeline.Begin(new SessionHeader(Version, plan.Inputs, plan.CalibrationName, plan.Detector, plan.Seed));
             ReportOtherSizes(pipeline, plan);
             if (plan.Detector == "dual" && plan.InfraredProblem != null)
                 pipeline.ReportInputProblem(new FrameProblem(-1, plan.InfraredProblem));
+            if (plan.HandModelProblem.Length > 0)
+                pipeline.ReportInputProblem(new FrameProblem(-1, plan.HandModelProblem));
             if (plan.InputProblem.Length > 0)
                 pipeline.ReportInputProblem(new FrameProblem(-1, plan.InputProblem));
 

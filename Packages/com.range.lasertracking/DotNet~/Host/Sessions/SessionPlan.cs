@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using LaserTracking.Capture;
 using LaserTracking.Geometry;
+using LaserTracking.Hands.Model;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
 using LaserTracking.Tracking;
@@ -14,6 +15,12 @@ namespace LaserTracking.Host.Sessions
         public required IFrameSource ScreenCamera { get; init; }
 
         public IFrameSource? HandCamera { get; init; }
+
+        /// <summary>The hand landmark model; null: hands by depth alone.</summary>
+        public HandLandmarkNetwork? HandModel { get; init; }
+
+        /// <summary>Why the model that was asked for is not used; empty: it is, or none was.</summary>
+        public string HandModelProblem { get; init; } = "";
 
         public RangeCalibration? Calibration { get; init; }
 

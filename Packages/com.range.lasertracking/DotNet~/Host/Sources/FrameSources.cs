@@ -56,14 +56,16 @@ namespace LaserTracking.Host.Sources
         };
 
         /// <summary>Camera 1: the depth of a recording.</summary>
+        /// <param name="path">The recording.</param>
+        /// <param name="withInfrared">Its infrared too, where it has some: of the same pixels as depth, for the hand model.</param>
         /// <exception cref="InputException">It holds no depth, or cannot be used at all.</exception>
-        public static IFrameSource OpenHandCamera(string path)
+        public static IFrameSource OpenHandCamera(string path, bool withInfrared = false)
         {
             if (Detect(path) != FrameSourceKind.AzureKinectRecording)
                 throw NoDepth(path);
             KinectRecording recording = KinectRecording.Open(path);
             if (recording.DepthTrack != null)
-                return new KinectRecordingSource(recording, KinectStreams.Depth);
+                return new KinectRecordingSource(recording, withInfrared ? KinectStreams.Depth | KinectStreams.Infrared : KinectStreams.Depth);
             recording.Dispose();
             throw NoDepth(path);
         }

@@ -4,6 +4,7 @@ using LaserTracking.Detection;
 using LaserTracking.Fusion;
 using LaserTracking.Geometry;
 using LaserTracking.Hands;
+using LaserTracking.Hands.Model;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
 using LaserTracking.Tracking;
@@ -69,15 +70,19 @@ namespace LaserTracking.Pipeline
         /// <param name="scorer">What was hit; null: nothing is scored.</param>
         /// <param name="sink">Receives all events.</param>
         /// <param name="settings">Defaults when absent.</param>
+        /// <param name="handModel">Makes palm and side of the hands better where camera 1 has a picture; null: depth alone. Not owned.</param>
         public static RangePipeline CreateDefault(IShotDetector detector, RangeCalibration? calibration, bool hasHandCamera, ShotScorer? scorer,
-            IEventSink sink, PipelineSettings? settings = null)
+            IEventSink sink, PipelineSettings? settings = null, HandLandmarkNetwork? handModel = null)
         {
             var tracker = new ShotTracker(new ShotTrackerSettings { Timing = (settings ?? new PipelineSettings()).CameraTiming });
             if (!hasHandCamera || calibration == null || !(calibration.HandCamera is HandCamera camera))
                 return new RangePipeline(detector, tracker, calibration, null, null, scorer, sink, settings);
             Vector2D sizeM = calibration.Screen.ScreenSizeM;
             var fusion = new ShooterAssignment(camera, new FusionSettings { ScreenAreaM2 = sizeM.X * sizeM.Y });
-            return new RangePipeline(detector, tracker, calibration, new DepthHandTracker(camera), fusion, scorer, sink, settings);
+            IHandTracker hands = new DepthHandTracker(camera);
+            if (handModel != null)
+                hands = new LandmarkHandTracker(hands, camera.Intrinsics, handModel);
+            return new RangePipeline(detector, tracker, calibration, hands, fusion, scorer, sink, settings);
         }
 
         /// <summary>Share of the screen, 0…1, in which the last frame could not have shown a dot: too bright, or too much moved.</summary>
