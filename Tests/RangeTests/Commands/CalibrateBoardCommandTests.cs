@@ -79,8 +79,10 @@ namespace LaserTracking.Commands
         [TestCase("{\"images\":[{\"px\":[[1,2],[3,4],[5,7]],\"ids\":[0,1,10]}]}", "3 points; a view of a board needs at least 4")]
         [TestCase("{\"images\":[{\"px\":[[1,2],[3,4],[5,7]],\"ids\":[0,1,48]}]}", "48 is no point of the board")]
         [TestCase("{\"images\":[{\"px\":[[1,2],[3,4],[5,7]]}]}", "has 3 corners, the board has 48")]
+        [TestCase("{\"v\":\"2\",\"images\":[{}]}", "field v is no version number")]
+        [TestCase("{\"image_size\":[640,480],\"images\":[{\"image\":\"a\",\"px\":[[1,2],[3,4],[700,7],[8,9]],\"ids\":[0,1,9,8]}]}", "a: point 3 lies at 700,7, outside the image of 640x480")]
         [TestCase("{\"images\":[7]}", "view 1 is no object")]
-        [TestCase("{\"images\":[{}]}", "field px is missing")]
+        [TestCase("{\"images\":[{}]}", "field px of view 1 is missing")]
         [TestCase("{\"object_points\":[[0,0,1]],\"images\":[{\"px\":[[0,0]]}]}", "not lie in the board's plane")]
         public void Board_BrokenCorners_AreRefused(string content, string words)
         {
@@ -105,11 +107,42 @@ namespace LaserTracking.Commands
         [TestCase("means no picture", "--images", "nothing*.png")]
         [TestCase("--board: \"8\"", "--images", "x", "--board", "8")]
         [TestCase("--square: must be above 0", "--images", "x", "--square", "-1")]
+        [TestCase("--square: 1E+308 mm is no square", "--images", "x", "--square", "1e308")]
         [TestCase("no lens model \"fisheye\"", "--images", "x", "--model", "fisheye")]
         [TestCase("--history: the calibration has no date", "--images", "x", "--history", "h")]
         [TestCase("--date: \"22.11.2026\"", "--images", "x", "--date", "22.11.2026")]
         [TestCase("--side: there is no side", "--corners", "x", "--side", "top")]
         public void Board_ImpossibleOptions_AreRefused(string words, params string[] options) => CommandLine.AssertRefused(words, ["calibrate", "board", .. options]);
+
+        [Test]
+        public void Stereo_OneViewGivenAgainAndAgain_IsParallel_AndOneCameraGivenTwice_StandsInOnePlace()
+        {
+            using var folder = new TemporaryFolder();
+            JObject whole = JObject.Parse(File.ReadAllText(Simulate(folder)));
+            string corners = folder.File("changed.json"), result = folder.File("stereo.json");
+            var pairs = (JArray)whole["pairs"]!;
+            JToken[] seen = pairs.ToArray();
+            whole["pairs"] = new JArray(Enumerable.Repeat(seen[3], 12));
+            File.WriteAllText(corners, whole.ToString());
+            Assert.That(CommandLine.AssertRefused("not determined: fx", "calibrate", "stereo", "--corners", corners, "--out", result), Does.Contain("all parallel"));
+            foreach (JToken pair in seen)
+                pair["right_px"] = pair["left_px"]!.DeepClone();
+            whole["pairs"] = new JArray(seen.Cast<object>().ToArray());
+            File.WriteAllText(corners, whole.ToString());
+            CommandLine.AssertRefused("both cameras stand in one place", "calibrate", "stereo", "--corners", corners, "--out", result);
+            Assert.That(File.Exists(result), Is.False);
+        }
+
+        [Test]
+        public void Board_ResultInPlaceOfAPicture_IsRefused()
+        {
+            using var folder = new TemporaryFolder();
+            string picture = folder.File("a.png");
+            File.WriteAllText(picture, "kept");
+            CommandLine.AssertRefused("this file is also read", "calibrate", "board", "--images", picture, "--out", picture, "--replace");
+            CommandLine.AssertRefused("this file is also read", "calibrate", "stereo", "--left", picture, "--right", picture, "--out", picture, "--replace");
+            Assert.That(File.ReadAllText(picture), Is.EqualTo("kept"));
+        }
 
         [Test]
         public void Stereo_DamagedCorners_AreRefusedInOneLineOrUsed()

@@ -8,6 +8,8 @@ namespace LaserTracking.Commands
     {
         private static readonly string[] Corners = { "150,82", "1138,104", "1110,640", "182,622" };
 
+        private const string FourPoints = "\"image_px\":[[150,82],[1138,104],[1110,640],[182,622]],\"screen_m\":[[0,0],[3,0],[3,2],[0,2]]";
+
         [TestCase("3 corners given", "1,1", "2,2", "3,3")]
         [TestCase("corners 1 and 2 lie in one place", "1,1", "1,1", "1,1", "1,1")]
         [TestCase("lie on one line", "0,0", "1,1", "2,2", "3,3")]
@@ -53,6 +55,53 @@ namespace LaserTracking.Commands
             CommandLine.AssertRefused(words, "calibrate", "screen", "--size", "3x2", "--points", points, "--out", folder.File("screen.json"));
             CommandLine.AssertRefused("this file is also read", "calibrate", "screen", "--size", "3x2", "--points", points, "--out", points);
             Assert.That(Directory.GetFiles(folder.Path), Is.EqualTo(new[] { points }));
+        }
+
+        [TestCase("\"v\":2,", "newer release (version 2")]
+        [TestCase("\"v\":\"2\",", "field v is no version number")]
+        [TestCase("\"image_size\":[1000,700],", "field image_px, point 2 lies at 1138,104, outside the image of 1000x700")]
+        [TestCase("\"verify\":{\"image_px\":[[5,5],[-7,10]],\"screen_m\":[[0,0],[1,1]]},\"image_size\":[1280,720],", "field verify.image_px, point 2 lies at -7,10")]
+        public void Screen_PointsOfNewerVersionOrOutsideTheImage_AreRefused(string fields, string words)
+        {
+            using var folder = new TemporaryFolder();
+            string points = folder.File("points.json");
+            File.WriteAllText(points, "{" + fields + FourPoints + "}");
+            CommandLine.AssertRefused(words, "calibrate", "screen", "--size", "3x2", "--points", points, "--out", folder.File("screen.json"));
+            Assert.That(Directory.GetFiles(folder.Path), Is.EqualTo(new[] { points }));
+        }
+
+        [Test]
+        public void Screen_ResultInPlaceOfAPictureOfTheFolder_OrOfTheMap_IsRefused()
+        {
+            using var folder = new TemporaryFolder();
+            string picture = folder.File("a-1.png");
+            File.WriteAllText(picture, "kept");
+            CommandLine.AssertRefused("this file is also read", "calibrate", "screen", "--size", "3x2", "--image", folder.Path, "--out", picture);
+            CommandLine.AssertRefused("--map: is the name of the calibration too", "calibrate", "screen", "--size", "3x2", "--image", folder.Path, "--out", "o.json", "--map", "o.json");
+            Assert.That(File.ReadAllText(picture), Is.EqualTo("kept"));
+        }
+
+        [Test]
+        public void Screen_CornerOutsideTheImage_IsSaid()
+        {
+            using var folder = new TemporaryFolder();
+            (int code, _, string error) = CommandLine.Run("calibrate", "screen", "--size", "3x2", "--out", folder.File("screen.json"), "--corners", "-50,82", "1138,104", "1110,640", "182,622");
+            Assert.That(code, Is.EqualTo(ExitCodes.Done), error);
+            Assert.That(error, Does.Contain("point 1 lies at -50,82, outside the image of 1280x720"));
+        }
+
+        [Test]
+        public void Verify_PointOutsideTheImage_IsSaid_AndNoPointsAreRefused()
+        {
+            using var folder = new TemporaryFolder();
+            string file = folder.File("screen.json"), points = folder.File("points.json");
+            CommandLine.Run(["calibrate", "screen", "--size", "3x2", "--out", file, "--corners", .. Corners]);
+            File.WriteAllText(points, "{\"image_px\":[[150,82],[5000,9]],\"screen_m\":[[0,0],[1,1]]}");
+            (int code, _, string error) = CommandLine.Run("calibrate", "verify", file, "--points", points);
+            Assert.That(code, Is.EqualTo(ExitCodes.CheckFailed));
+            Assert.That(error, Does.Contain("point 2 lies at 5000,9, outside the image of 1280x720"));
+            File.WriteAllText(points, "{\"image_px\":[],\"screen_m\":[]}");
+            CommandLine.AssertRefused("holds no point", "calibrate", "verify", file, "--points", points);
         }
 
         [Test]

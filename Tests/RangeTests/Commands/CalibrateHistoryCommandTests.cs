@@ -1,3 +1,4 @@
+using System;
 using System.IO;
 using System.Linq;
 using LaserTracking.Host;
@@ -41,6 +42,31 @@ namespace LaserTracking.Commands
             Assert.That(File.ReadAllBytes(camera), Is.Not.EqualTo(better));
             Calibrate(folder, "0.1");
             Assert.That(File.ReadAllBytes(camera), Is.EqualTo(better));
+        }
+
+        [Test]
+        public void Screen_WorseOrUnproven_StaysOutUnlessToldTo()
+        {
+            using var folder = new TemporaryFolder();
+            string screen = folder.File("screen.json"), points = folder.File("points.json"), corners = "\"image_px\":[[0,0],[600,0],[600,400],[0,400]],\"screen_m\":[[0,0],[3,0],[3,2],[0,2]]";
+            (int, string) Screen(double offM, params string[] more)
+            {
+                File.WriteAllText(points, FormattableString.Invariant($"{{{corners},\"verify\":{{\"image_px\":[[300,200]],\"screen_m\":[[{1.5 + offM},1]]}}}}"));
+                (int code, _, string error) = CommandLine.Run(["calibrate", "screen", "--size", "3x2", "--points", points, "--out", screen, .. more]);
+                return (code, error);
+            }
+
+            Assert.That(Screen(0.001).Item1, Is.EqualTo(ExitCodes.Done));
+            byte[] better = File.ReadAllBytes(screen);
+            (int worse, string said) = Screen(0.002);
+            Assert.That(worse, Is.EqualTo(ExitCodes.CheckFailed));
+            Assert.That(said, Does.Contain("1.000 mm on held-out points, the new one 2.000 mm").And.Contain("--replace"));
+            (int unproven, _, said) = CommandLine.Run("calibrate", "screen", "--size", "3x2", "--out", screen, "--corners", "0,0", "600,0", "600,400", "0,400");
+            Assert.That(unproven, Is.EqualTo(ExitCodes.CheckFailed));
+            Assert.That(said, Does.Contain("unproven"));
+            Assert.That(File.ReadAllBytes(screen), Is.EqualTo(better));
+            Assert.That(Screen(0.002, "--replace").Item1, Is.EqualTo(ExitCodes.Done));
+            Assert.That(Screen(0.001).Item1, Is.EqualTo(ExitCodes.Done));
         }
 
         [Test]

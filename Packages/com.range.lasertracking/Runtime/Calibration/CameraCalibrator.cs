@@ -18,6 +18,9 @@ namespace LaserTracking.Calibration
         private const double UndeterminedShare = 0.05;
         private const double ParallelDegrees = 8;
 
+        // However sure the fit believes to be: parallel boards give two equations for four numbers, the rest comes from the lens model.
+        private const double CertainlyParallelDegrees = 1;
+
         /// <param name="views">At least one; three that are tilted differently are the practical minimum, twenty are usual.</param>
         /// <param name="width">Picture width in pixels.</param>
         /// <param name="height">Picture height in pixels.</param>
@@ -53,9 +56,11 @@ namespace LaserTracking.Calibration
 
             double[] deviations = fit.StandardDeviations(Math.Max(fit.AxisSigmaPx, LeastNoisePx));
             string undetermined = Undetermined(fit, deviations);
+            double spread = LargestAngleDegrees(fit.State.Boards);
+            if (undetermined.Length == 0 && spread < CertainlyParallelDegrees)
+                undetermined = string.Join(", ", Enumerable.Range(0, 4).Select(CameraParameters.NameOf));
             if (undetermined.Length > 0)
             {
-                double spread = LargestAngleDegrees(fit.State.Boards);
                 string why = spread < ParallelDegrees
                     ? FormattableString.Invariant($"the views are all parallel, as far as one can tell (within {spread:F1}°)")
                     : FormattableString.Invariant($"{used.Count} views with tilts that differ by {spread:F0}° at most are not enough");

@@ -15,6 +15,7 @@ namespace LaserTracking.Calibration
         private const double StrangerFactor = 10;
         private const double NegligiblePx = 0.1;
         private const int FewestForStrangers = 5;
+        private const double RoundingShare = 1e-9;
 
         /// <param name="pairs">At least one; ten to twenty are usual.</param>
         /// <param name="left">Camera 0 as calibrated alone.</param>
@@ -65,6 +66,12 @@ namespace LaserTracking.Calibration
             }
 
             var rig = new StereoRig(fit.Left, fit.Right, fit.State.Rigs[1]);
+            if (StandInOnePlace(rig, fit))
+            {
+                reason = "both cameras stand in one place, as far as one can tell: are these pictures of two cameras?";
+                return false;
+            }
+
             NoteSwapped(rig, fit.State.Boards, notes);
             calibration = new StereoCalibration(rig, fit.RmsPx, placed.Select(p => p.Pair).ToArray(), fit.PerPairRmsPx, fit.State.Boards, fit.RigDeviations, leftOut, notes);
             reason = string.Empty;
@@ -90,6 +97,13 @@ namespace LaserTracking.Calibration
                     $"it puts the cameras elsewhere to each other than the other pairs do ({rmsPx[i]:F1} px off): not of one moment, or left and right swapped")));
                 pairs.RemoveAt(i);
             }
+        }
+
+        /// <summary>Without a distance between the cameras nothing can be triangulated or rectified.</summary>
+        private static bool StandInOnePlace(StereoRig rig, Fit fit)
+        {
+            double uncertainty = Math.Sqrt(fit.RigDeviations.Skip(3).Sum(deviation => deviation * deviation));
+            return rig.LeftToRight.Position.Length <= Math.Max(uncertainty, RoundingShare * fit.State.Boards.Max(board => board.Position.Length));
         }
 
         /// <summary>

@@ -1,3 +1,4 @@
+using System;
 using System.CommandLine;
 using LaserTracking.Calibration;
 using LaserTracking.Patterns;
@@ -9,6 +10,8 @@ namespace LaserTracking.Host.Calibration
     {
         private const string PublishedBoard = "8x6";
         private const double PublishedSquareMm = 80;
+        private const double LeastSquareMm = 1e-4;
+        private const double MostSquareMm = 1e5;
 
         private readonly Option<string?> _board = new("--board") { HelpName = "WxH", Description = "Inner corners along a row and a column (default: the stored corners' own, else 8x6, the published system's)." };
         private readonly Option<double?> _square = new("--square") { HelpName = "MM", Description = "Side of a square, mm (default: the stored corners' own, else 80)." };
@@ -43,7 +46,10 @@ namespace LaserTracking.Host.Calibration
         {
             if (parsed.GetValue(_square) is not double side)
                 return null;
-            return side > 0 && !double.IsInfinity(side) ? side : throw new InputException("--square", "must be above 0 mm", "write it as 80");
+            if (!(side > 0))
+                throw new InputException("--square", "must be above 0 mm", "write it as 80");
+            return side is >= LeastSquareMm and <= MostSquareMm ? side
+                : throw new InputException("--square", FormattableString.Invariant($"{side:G3} mm is no square of a board"), "write it as 80");
         }
 
         public Board Board(ParseResult parsed)

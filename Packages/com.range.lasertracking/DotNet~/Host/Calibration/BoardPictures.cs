@@ -73,12 +73,14 @@ namespace LaserTracking.Host.Calibration
             }
 
             canvas.Text(8, 7, FormattableString.Invariant($"{view.Name}: {view.ImagePx.Length} corners, rms {rmsPx:F3} px; arrows x{ArrowMagnification:F0}, large square: first corner"), 0xFFFFFF);
-            Save(folder, prefix + Path.GetFileNameWithoutExtension(view.Name) + ".png", canvas);
+            string drawn = Path.Combine(folder, prefix + Path.GetFileNameWithoutExtension(view.Name) + ".png");
+            Sessions.ResultFile.CheckNotRead(drawn, seen.Paths.ToArray());
+            Save(drawn, canvas);
         }
 
-        private static void Save(string folder, string name, Canvas canvas)
+        private static void Save(string path, Canvas canvas)
         {
-            using var file = new Sessions.ResultFile(Path.Combine(folder, name));
+            using var file = new Sessions.ResultFile(path);
             file.Stream.Write(PngEncoder.Encode(canvas.Image));
             file.Commit();
         }

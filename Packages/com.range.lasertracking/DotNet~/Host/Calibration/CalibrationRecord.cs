@@ -28,9 +28,13 @@ namespace LaserTracking.Host.Calibration
             return new CalibrationRecord(System.IO.Path.GetFileName(name), kind, Text(root["date"]) ?? string.Empty, Sizes(root), Number(root["rms_px"]), views, heldOut);
         }
 
-        /// <summary>Whether the other has the smaller error: the held-out one where both have it, else the fit's; unknown is no better.</summary>
-        public bool IsWorseThan(CalibrationRecord other) =>
-            HeldOut is double mine && other.HeldOut is double theirs ? mine > theirs : RmsPx is double fit && other.RmsPx is double otherFit && fit > otherFit;
+        /// <summary>
+        /// Whether the other has the smaller error: the held-out one where both have it, else the fit's; unknown is no better. For a
+        /// screen only proof counts: a fit through four corners meets them exactly.
+        /// </summary>
+        public bool IsWorseThan(CalibrationRecord other) => Kind == "screen"
+            ? other.HeldOut is double proven && !(HeldOut <= proven)
+            : HeldOut is double mine && other.HeldOut is double theirs ? mine > theirs : RmsPx is double fit && other.RmsPx is double otherFit && fit > otherFit;
 
         /// <summary>The error it is judged by, in words.</summary>
         public string Error(bool byHeldOut) => byHeldOut

@@ -3,7 +3,6 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using LaserTracking.Geometry;
-using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 
 namespace LaserTracking.Host.Calibration
@@ -15,20 +14,8 @@ namespace LaserTracking.Host.Calibration
         {
             if (!File.Exists(path))
                 throw new InputException(path, Directory.Exists(path) ? "this is a folder" : "no such file", "give the file of measured points");
-            JObject root;
-            try
-            {
-                root = JObject.Parse(File.ReadAllText(path));
-            }
-            catch (Exception problem) when (problem is IOException or UnauthorizedAccessException)
-            {
-                throw new InputException(path, "cannot be read (" + problem.Message.TrimEnd('.') + ")", "check its permissions");
-            }
-            catch (JsonReaderException problem)
-            {
-                throw new InputException(path, FormattableString.Invariant($"not JSON at line {problem.LineNumber}, column {problem.LinePosition}"), "correct the file");
-            }
-
+            JObject root = CalibrationJson.ReadFile(path);
+            CalibrationJson.CheckVersion(root, path);
             Vector2D[] image = Points(root, path, "image_px", "image_px", true), screen = Points(root, path, "screen_m", "screen_m", true);
             JToken? verify = root["verify"];
             if (verify is JArray pairs)
@@ -52,6 +39,13 @@ namespace LaserTracking.Host.Calibration
                 throw new InputException("--corners", $"{corners.Length} corners given", "give four: top-left x,y, then clockwise");
             var screen = new[] { default, new Vector2D(sizeM.X, 0), sizeM, new Vector2D(0, sizeM.Y) };
             return new ScreenPoints(corners.Select(c => Pair(c, ',', "--corners")).ToArray(), screen, Array.Empty<Vector2D>(), Array.Empty<Vector2D>(), null);
+        }
+
+        /// <summary>What to say of the first point that lies beside the picture, where nothing can have been seen; null when all lie in it.</summary>
+        public static string? FirstOutside(Vector2D[] px, int width, int height)
+        {
+            int i = Array.FindIndex(px, p => !(p.X >= -0.5 && p.Y >= -0.5 && p.X <= width - 0.5 && p.Y <= height - 0.5));
+            return i < 0 ? null : FormattableString.Invariant($"point {i + 1} lies at {px[i].X:G6},{px[i].Y:G6}, outside the image of {width}x{height}");
         }
 
         /// <summary>Two numbers with a separator, in invariant culture.</summary>

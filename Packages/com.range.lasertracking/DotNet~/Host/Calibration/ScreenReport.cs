@@ -79,6 +79,16 @@ namespace LaserTracking.Host.Calibration
                 Console.Error.WriteLine("range: the picture is mirrored: right for a camera behind the screen, else the corners run the wrong way round");
         }
 
+        /// <summary>Points that lie beside the picture cannot have been measured there, if its size is sure and not just the usual one: refused then, else said.</summary>
+        public static void CheckInside(Vector2D[] px, string field, RangeCalibration calibration, string source, bool isSure)
+        {
+            if (ScreenPoints.FirstOutside(px, calibration.ImageWidth, calibration.ImageHeight) is not string outside)
+                return;
+            if (isSure)
+                throw new InputException(source, $"field {field}, {outside}", "correct the point, or the image's size");
+            Console.Error.WriteLine($"range: {source}: field {field}, {outside}: check the point, and the size given with --image-size");
+        }
+
         private static JObject Region(ScreenRegion region)
         {
             var result = new JObject

@@ -50,8 +50,7 @@ namespace LaserTracking.Host.Calibration
         public static StoredCorners Open(string path, BoardSize? size, double? squareMm, Board usual)
         {
             JObject root = CalibrationJson.ReadFile(path);
-            if (root["v"] is { Type: JTokenType.Integer } version && (double)version > CalibrationJson.Version)
-                throw new InputException(path, $"written by a newer release (version {version}, this one reads up to {CalibrationJson.Version})", "update the program");
+            CalibrationJson.CheckVersion(root, path);
             if (root["pairs"] is not JArray { Count: > 0 } && root["images"] is not JArray { Count: > 0 })
                 throw new InputException(path, "holds neither images nor pairs", "give \"images\":[{\"image\":…,\"px\":[[x,y],…]}] or \"pairs\":[{\"left_px\":…,\"right_px\":…}]");
             JToken? given = root["object_points_mm"] ?? root["object_points"];
@@ -80,7 +79,7 @@ namespace LaserTracking.Host.Calibration
             string nameField = HasPairs ? side : "image", pointsField = HasPairs ? side + "_px" : "px", idsField = HasPairs ? side + "_ids" : "ids";
             string[] names = items.Select((item, i) => (string?)(item[nameField] as JValue) ?? FormattableString.Invariant($"{(HasPairs ? side + " " : string.Empty)}view {i + 1}")).ToArray();
             string[] paths = names.Select(name => Path.Combine(Path.GetDirectoryName(Path.GetFullPath(_path))!, Path.GetFileName(name))).ToArray();
-            Vector2D[][] px = items.Select((item, i) => Points(item[pointsField], _path, names[i] + ", field " + pointsField)).ToArray();
+            Vector2D[][] px = items.Select((item, i) => Points(item[pointsField], _path, pointsField + " of " + names[i])).ToArray();
             (int width, int height) = imageSize ?? SizeInFile(side) ?? SizeOfPictures(paths) ?? UsualSize(px, side);
             var seen = new SeenBoards(names, paths.Select(path => File.Exists(path) ? path : null).ToArray(), width, height);
             for (int i = 0; i < items.Length; i++)
@@ -88,6 +87,8 @@ namespace LaserTracking.Host.Calibration
                 Vector2D[] board = items[i][idsField] is JArray ids ? ids.Select(id => BoardPoint(id, names[i])).ToArray() : _boardMm;
                 if (board.Length != px[i].Length)
                     throw new InputException(_path, FormattableString.Invariant($"{names[i]} has {px[i].Length} corners, the board has {board.Length}") + Looks(px[i]), "give the board's own size with --board");
+                if (ScreenPoints.FirstOutside(px[i], width, height) is string outside)
+                    throw new InputException(_path, FormattableString.Invariant($"{names[i]}: {outside}"), "correct the corner, or give the pictures' own size with --image-size");
                 if (!BoardView.TryCreate(names[i], board, px[i], out BoardView? view, out string reason))
                     throw new InputException(_path, reason, Remedy);
                 seen.Views[i] = view;
@@ -165,7 +166,7 @@ namespace LaserTracking.Host.Calibration
         private static Vector2D[] Points(JToken? token, string path, string field)
         {
             if (token is not JArray list)
-                throw new InputException(path, $"{field} is missing", Remedy);
+                throw new InputException(path, $"field {field} is missing", Remedy);
             var points = new Vector2D[list.Count];
             for (int i = 0; i < points.Length; i++)
             {

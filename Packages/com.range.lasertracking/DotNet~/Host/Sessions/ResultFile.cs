@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using LaserTracking.Host.Sources;
 
 namespace LaserTracking.Host.Sessions
 {
@@ -60,7 +61,11 @@ namespace LaserTracking.Host.Sessions
         {
             foreach (string? input in inputs)
             {
-                if (!string.IsNullOrEmpty(result) && !string.IsNullOrEmpty(input) && Path.GetFullPath(result) == Path.GetFullPath(input))
+                if (string.IsNullOrEmpty(result) || string.IsNullOrEmpty(input))
+                    continue;
+                string written = Path.GetFullPath(result), read = Path.GetFullPath(input);
+                bool isOneOfItsPictures = File.Exists(written) && ImageFolder.IsImage(written) && Path.GetDirectoryName(written) == Path.TrimEndingDirectorySeparator(read);
+                if (written == read || isOneOfItsPictures)
                     throw new InputException(result, "this file is also read", "give the result another name");
             }
         }

@@ -24,7 +24,7 @@ namespace LaserTracking.Host.Studies
         /// <summary>Sentences printed below the table.</summary>
         public List<string> Notes { get; } = new();
 
-        /// <param name="cells">As many as columns: string, int, double or Proportion.</param>
+        /// <param name="cells">As many as columns: string, int, double (NaN: nothing to measure) or Proportion.</param>
         public void Add(params object[] cells)
         {
             if (cells.Length != _columns.Length)
@@ -52,13 +52,17 @@ namespace LaserTracking.Host.Studies
 
         private static string Text(object cell) => cell switch
         {
+            double.NaN => "-",
             double number => number.ToString("0.###", CultureInfo.InvariantCulture),
             IFormattable other => other.ToString(null, CultureInfo.InvariantCulture),
             _ => cell.ToString() ?? string.Empty,
         };
 
-        private static JToken Token(object cell) => cell is Proportion p
-            ? new JObject { ["count"] = p.Count, ["of"] = p.Of, ["share"] = p.Of == 0 ? null : p.Share, ["low"] = p.Low, ["high"] = p.High }
-            : JToken.FromObject(cell);
+        private static JToken Token(object cell) => cell switch
+        {
+            Proportion p => new JObject { ["count"] = p.Count, ["of"] = p.Of, ["share"] = p.Of == 0 ? null : p.Share, ["low"] = p.Low, ["high"] = p.High },
+            double.NaN => JValue.CreateNull(),
+            _ => JToken.FromObject(cell),
+        };
     }
 }

@@ -48,21 +48,29 @@ namespace LaserTracking.Geometry
             }
         }
 
-        /// <summary>Refuses another kind, and files of a newer version: what they say may mean something else. No version is version 1.</summary>
+        /// <summary>Refuses another kind, and what <see cref="CheckVersion"/> refuses.</summary>
         /// <param name="root">The file's content.</param>
         /// <param name="name">As the user named it, for messages.</param>
         /// <param name="kind">What is wanted: "screen", "camera", ….</param>
         /// <param name="maker">The command that makes such files.</param>
         public static void CheckKind(JObject root, string name, string kind, string maker)
         {
+            CheckVersion(root, name);
+            string found = (string?)(root["kind"] as JValue) ?? "none";
+            if (found != kind)
+                throw new InputException(name, "field kind is \"" + found + "\", this needs a calibration of kind \"" + kind + "\"", "name a file that " + maker + " made");
+        }
+
+        /// <summary>Refuses files of a newer version: what they say may mean something else. No version is version 1.</summary>
+        /// <param name="root">The file's content.</param>
+        /// <param name="name">As the user named it, for messages.</param>
+        public static void CheckVersion(JObject root, string name)
+        {
             JToken? version = root["v"];
             if (version != null && (version.Type != JTokenType.Integer || !((double)version >= 1)))
                 throw new InputException(name, "field v is no version number", Remedy);
             if (version != null && (double)version > Version)
                 throw new InputException(name, FormattableString.Invariant($"written by a newer release (version {version}, this one reads up to {Version})"), "update the program, or calibrate again with this one");
-            string found = (string?)(root["kind"] as JValue) ?? "none";
-            if (found != kind)
-                throw new InputException(name, "field kind is \"" + found + "\", this needs a calibration of kind \"" + kind + "\"", "name a file that " + maker + " made");
         }
 
         /// <summary>A list of so many finite numbers.</summary>

@@ -42,7 +42,9 @@ namespace LaserTracking.Host.Commands
                 }
                 else
                 {
-                    seen = BoardSearch.Run(PictureFile.Expand(patterns, "--images"), board.Value, options.KeepsAll(parsed));
+                    List<string> files = PictureFile.Expand(patterns, "--images");
+                    output.Check(parsed, files.ToArray());
+                    seen = BoardSearch.Run(files, board.Value, options.KeepsAll(parsed));
                 }
 
                 BoardView[] views = seen.Views.OfType<BoardView>().ToArray();

@@ -31,9 +31,10 @@ namespace LaserTracking.Host.Commands
             var output = new Option<string>("--out") { HelpName = "FILE", Description = "The calibration to write.", DefaultValueFactory = _ => "screen.json" };
             var limit = LimitOption();
             var map = new Option<string?>("--map") { HelpName = "FILE.png", Description = "A picture of the errors over the screen, also when the calibration is refused." };
+            var replace = new Option<bool>("--replace") { Description = "Take the place of the file that is there even when that one is better." };
             var history = new Option<string?>("--history") { HelpName = "DIR", Description = "Keep this calibration there too; see 'calibrate history'." };
             var date = new Option<string?>("--date") { HelpName = "YYYY-MM-DD", Description = "When the pictures were taken; needed with --history." };
-            var command = new Command("screen", "Fits image pixels to screen metres and proves the fit.") { images, points, corners, size, imageSize, camera, output, limit, map, history, date };
+            var command = new Command("screen", "Fits image pixels to screen metres and proves the fit.") { images, points, corners, size, imageSize, camera, output, limit, map, replace, history, date };
             command.SetAction((parsed, interrupted) =>
             {
                 Vector2D sizeM = SizeM(parsed.GetValue(size)!);
@@ -48,12 +49,14 @@ namespace LaserTracking.Host.Commands
                     throw new InputException("--date", $"\"{day}\" is no date", "write it as 2026-11-22");
                 foreach (string? result in new[] { target, picture })
                     ResultFile.CheckNotRead(result, [file, parsed.GetValue(camera), .. inputs]);
+                if (picture != null && picture == target)
+                    throw new InputException("--map", "is the name of the calibration too", "give the map a name of its own");
                 double limitMm = LimitMm(parsed.GetValue(limit));
                 LensCamera? lens = parsed.GetValue(camera) is string name ? LensCameraJson.ReadFile(name) : null;
                 using ResultFile? written = new(target!), drawn = picture == null ? null : new ResultFile(picture);
                 JObject? content = inputs.Length > 0
                     ? Automatic(inputs, sizeM, limitMm, lens, drawn, interrupted)
-                    : ByHand(file, given, sizeM, parsed.GetValue(imageSize)!, limitMm, lens, drawn);
+                    : ByHand(file, given, sizeM, parsed.GetValue(imageSize)!, parsed.GetResult(imageSize) is { Implicit: false }, limitMm, lens, drawn);
                 if (content == null)
                     return System.Threading.Tasks.Task.FromResult(ExitCodes.CheckFailed);
                 if (day != null)
@@ -61,6 +64,12 @@ namespace LaserTracking.Host.Commands
                 byte[] bytes = Encoding.UTF8.GetBytes(content.ToString().ReplaceLineEndings("\n") + "\n");
                 if (folder != null)
                     CalibrationHistory.Keep(folder, content, bytes);
+                if (!parsed.GetValue(replace) && CalibrationHistory.WhyScreenKept(target!, content) is string better)
+                {
+                    Console.Error.WriteLine($"range: {target}: {better}; it stays: --replace puts the new one in its place, --out FILE beside it");
+                    return System.Threading.Tasks.Task.FromResult(ExitCodes.CheckFailed);
+                }
+
                 written.Stream.Write(bytes);
                 written.Commit();
                 return System.Threading.Tasks.Task.FromResult(ExitCodes.Done);
@@ -104,7 +113,7 @@ namespace LaserTracking.Host.Commands
             return found.IsAccepted ? Merged(new RangeCalibration(found.Screen!, found.View.ImageWidth, found.View.ImageHeight, null), result) : null;
         }
 
-        private static JObject? ByHand(string? file, string[] corners, Vector2D sizeM, string imageSize, double limitMm, LensCamera? lens, ResultFile? map)
+        private static JObject? ByHand(string? file, string[] corners, Vector2D sizeM, string imageSize, bool isSizeGiven, double limitMm, LensCamera? lens, ResultFile? map)
         {
             if (map != null)
                 throw new InputException("--map", "there is a map of the pattern's points only", "use it with --image");
@@ -115,12 +124,15 @@ namespace LaserTracking.Host.Commands
                 throw new InputException(source, reason, "measure these points again");
             var calibration = new RangeCalibration(screen!, width, height, null);
             ScreenReport.CheckPlace(calibration, source);
+            bool isSure = file != null && (measured.ImageSize != null || lens != null || isSizeGiven);
+            ScreenReport.CheckInside(measured.ImagePx, "image_px", calibration, source, isSure);
+            ScreenReport.CheckInside(measured.VerifyImagePx, "verify.image_px", calibration, source, isSure);
             JObject result = ScreenReport.OfPoints(screen!, measured, withFit: true);
             Console.WriteLine(result.ToString());
             if (!ScreenReport.Passes(screen!, measured, limitMm, "; nothing was written"))
                 return null;
             if (measured.VerifyImagePx.Length == 0)
-                Console.Error.WriteLine("range: no check points: the fit goes through its corners exactly and proves nothing; fire at known places and give them as \"verify\" in --points");
+                Console.Error.WriteLine($"range: no check points: {(measured.ImagePx.Length == 4 ? "the fit goes through its corners exactly and" : "how well the fit meets its own points")} proves nothing; fire at known places and give them as \"verify\" in --points");
             return Merged(calibration, result);
         }
 

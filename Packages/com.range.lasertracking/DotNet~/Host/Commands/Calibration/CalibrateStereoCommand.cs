@@ -43,7 +43,9 @@ namespace LaserTracking.Host.Commands
                 }
                 else
                 {
-                    seen = Search(PictureFile.Expand(leftPatterns, "--left"), PictureFile.Expand(rightPatterns, "--right"), board.Value, options.KeepsAll(parsed));
+                    List<string> leftFiles = PictureFile.Expand(leftPatterns, "--left"), rightFiles = PictureFile.Expand(rightPatterns, "--right");
+                    output.Check(parsed, leftFiles.Concat(rightFiles).ToArray());
+                    seen = Search(leftFiles, rightFiles, board.Value, options.KeepsAll(parsed));
                 }
 
                 string source = corners ?? leftPatterns[0];

@@ -26,11 +26,20 @@ namespace LaserTracking.Host.Commands
                     throw new InputException("calibrate verify", measured == null ? "no points given" : "points given in several ways", "use one of --points FILE and --image INPUT");
                 double limitMm = CalibrateScreenCommand.LimitMm(parsed.GetValue(limit));
                 RangeCalibration calibration = RangeCalibrationFile.Read(parsed.GetValue(file)!);
-                ScreenPoints seen = measured != null ? ScreenPoints.Read(measured).AsVerify() : Seen(inputs, calibration, interrupted);
+                ScreenPoints seen = measured != null ? Measured(measured, calibration) : Seen(inputs, calibration, interrupted);
                 Console.WriteLine(ScreenReport.OfPoints(calibration.Screen, seen, withFit: false).ToString());
                 return Task.FromResult(ScreenReport.Passes(calibration.Screen, seen, limitMm, string.Empty) ? ExitCodes.Done : ExitCodes.CheckFailed);
             });
             return command;
+        }
+
+        private static ScreenPoints Measured(string file, RangeCalibration calibration)
+        {
+            ScreenPoints points = ScreenPoints.Read(file);
+            if (points.ImagePx.Length == 0)
+                throw new InputException(file, "holds no point, so nothing is checked", "give points as image_px and screen_m");
+            ScreenReport.CheckInside(points.ImagePx, "image_px", calibration, file, isSure: false);
+            return points.AsVerify();
         }
 
         private static ScreenPoints Seen(string[] inputs, RangeCalibration calibration, System.Threading.CancellationToken interrupted)
