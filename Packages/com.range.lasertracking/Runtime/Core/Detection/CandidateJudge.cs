@@ -80,13 +80,14 @@ namespace LaserTracking.Detection
                 return;
             SurroundingsMeasurer.ColorRise(view, ref candidate);
             bool isProvenByLevel = IsContentKnown && excess >= ConclusiveExcess;
+            double conclusive = _settings.ConclusiveLogOdds + (IsContentKnown && candidate.MayBeContent ? _settings.ContentLogOdds : 0);
             if (isKnown)
             {
                 // Light that grows further says the same once more; what the picture may show itself grows when it comes from behind.
                 candidate.LogOdds = known.LogOdds;
                 if (!known.IsConclusive && candidate.IsOnset && !candidate.MayBeContent)
                     candidate.LogOdds += Weigh(view, ref candidate, known.LogOdds, _settings.MinLogOdds, out int _, stackalloc float[DotEvidence.Count]);
-                candidate.IsConclusive = known.IsConclusive || isProvenByLevel || candidate.LogOdds >= _settings.ConclusiveLogOdds;
+                candidate.IsConclusive = known.IsConclusive || isProvenByLevel || candidate.LogOdds >= conclusive;
                 Fails(ref candidate, !candidate.IsConclusive && known.Frames > _settings.MaxWaitFrames, RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
                 return;
             }
@@ -95,13 +96,13 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.Freshness < _settings.MinFreshness, RejectionReason.NotNew, candidate.Freshness, _settings.MinFreshness, "freshness"))
                 return;
             Span<float> features = stackalloc float[DotEvidence.Count];
-            double least = rise < _settings.FaintRise ? Math.Max(_settings.MinLogOdds, _settings.ConclusiveLogOdds) : _settings.MinLogOdds;
+            double least = rise < _settings.FaintRise ? Math.Max(_settings.MinLogOdds, conclusive) : _settings.MinLogOdds;
             candidate.LogOdds = Weigh(view, ref candidate, 0, least, out int against, features);
             EvidenceCurve curve = DotEvidence.Curves[against];
             if (Fails(ref candidate, candidate.LogOdds < least, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What))
                 return;
-            candidate.IsConclusive = candidate.LogOdds >= _settings.ConclusiveLogOdds;
-            Trace?.AddConclusive(candidate.IsConclusive, candidate.LogOdds, _settings.ConclusiveLogOdds, "all evidence, log-odds", true);
+            candidate.IsConclusive = candidate.LogOdds >= conclusive;
+            Trace?.AddConclusive(candidate.IsConclusive, candidate.LogOdds, conclusive, "all evidence, log-odds", true);
         }
 
         /// <summary>No single measure decides: all of them together say how likely this is a laser's light.</summary>

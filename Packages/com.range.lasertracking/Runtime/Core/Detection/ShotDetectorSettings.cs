@@ -34,7 +34,10 @@ namespace LaserTracking.Detection
         public double MinLogOdds { get; set; } = 0.4;
 
         /// <summary>Evidence at which one frame suffices, log-odds −20…20.</summary>
-        public double ConclusiveLogOdds { get; set; } = 2.3;
+        public double ConclusiveLogOdds { get; set; } = 2.1;
+
+        /// <summary>Further evidence needed where the projected picture's brightest is known and the candidate is no brighter, log-odds 0…20.</summary>
+        public double ContentLogOdds { get; set; } = 0.4;
 
         /// <summary>Least area at half height, px² at 640, 0…10000.</summary>
         public double MinAreaPx { get; set; } = 4;
@@ -101,6 +104,7 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(FaintRise), FaintRise, 0, 1);
             SettingCheck.InRange(nameof(MinLogOdds), MinLogOdds, -20, 20);
             SettingCheck.InRange(nameof(ConclusiveLogOdds), ConclusiveLogOdds, -20, 20);
+            SettingCheck.InRange(nameof(ContentLogOdds), ContentLogOdds, 0, 20);
             SettingCheck.InRange(nameof(MinAreaPx), MinAreaPx, 0, 10000);
             SettingCheck.InRange(nameof(MaxAreaPx), MaxAreaPx, 1, 100000);
             SettingCheck.InRange(nameof(MinCompactness), MinCompactness, 0, 1);
