@@ -19,11 +19,12 @@ namespace LaserTracking.Host.Commands
         /// <summary>Each keeps one core busy.</summary>
         private const int SuitesAtOnce = 2;
 
+        /// <summary>The longest first: beside it the others take their turns.</summary>
         private static readonly Suite[] Suites =
         {
+            new("Core, net10.0, no vector instructions", "Range.LaserTracking.Core.Tests", "DOTNET_EnableHWIntrinsic"),
             new("Core, net10.0", "Range.LaserTracking.Core.Tests", null),
             new("Core, net10.0, no AVX2", "Range.LaserTracking.Core.Tests", "DOTNET_EnableAVX2"),
-            new("Core, net10.0, no vector instructions", "Range.LaserTracking.Core.Tests", "DOTNET_EnableHWIntrinsic"),
             new("Core, netstandard2.1", "Range.LaserTracking.Core.Tests.NetStandard", null),
             new("Unity layer on the engine stand-in", "UnityTests", null),
             new("files, commands, repository", "RangeTests", null),
