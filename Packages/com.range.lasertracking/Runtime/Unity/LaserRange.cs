@@ -3,6 +3,7 @@ using LaserTracking.Capture;
 using LaserTracking.Detection;
 using LaserTracking.Geometry;
 using LaserTracking.Hands.Model;
+using LaserTracking.Kernels;
 using LaserTracking.Pipeline;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
@@ -112,9 +113,10 @@ namespace LaserTracking.Unity
                     handSource = _handSource == null ? _source.CreateHandSource() : _handSource.CreateSource(this);
                 long handClockOffsetUs = handSource == null ? 0 : _handSource == null ? _source.HandClockOffsetUs : _handSource.ClockOffsetUs;
                 _shots = new ShotQueue(this);
-                _handModel = handSource == null ? null : OpenHandModel();
+                KernelRunner kernels = CreateKernels();
+                _handModel = handSource == null ? null : OpenHandModel(kernels);
                 var settings = new PipelineSettings { SceneTimeZeroUs = _source.SceneTimeZeroUs };
-                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(), calibration, handSource != null, BuildScorer(), _shots, settings, _handModel);
+                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(null, null, kernels), calibration, handSource != null, BuildScorer(), _shots, settings, _handModel, kernels);
                 pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
                 _pump = new FramePump(pipeline, source, handSource, handClockOffsetUs, _source.SceneTimeZeroUs, _source.LatencyS);
             }
@@ -126,14 +128,24 @@ namespace LaserTracking.Unity
             }
         }
 
+        /// <summary>What runs the heavy kernels: Burst jobs where the package com.unity.burst is there.</summary>
+        private static KernelRunner CreateKernels()
+        {
+#if RANGE_BURST
+            return new LaserTracking.Burst.BurstKernelRunner();
+#else
+            return KernelRunner.Plain;
+#endif
+        }
+
         /// <summary>Without its file hands are found by depth alone.</summary>
-        private HandLandmarkNetwork? OpenHandModel()
+        private HandLandmarkNetwork? OpenHandModel(KernelRunner kernels)
         {
             if (_handModelFile.Length == 0)
                 return null;
             try
             {
-                return HandLandmarkNetwork.Open(_handModelFile, HandModelFile.ByName(_handModelFile));
+                return HandLandmarkNetwork.Open(_handModelFile, HandModelFile.ByName(_handModelFile), kernels);
             }
             catch (InputException problem)
             {
