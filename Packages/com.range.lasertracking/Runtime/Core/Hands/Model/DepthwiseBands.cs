@@ -30,7 +30,10 @@ namespace LaserTracking.Hands.Model
             int first = (int)((long)Output.Height * band / BandCount), end = (int)((long)Output.Height * (band + 1) / BandCount);
             float* ring = Rings + (long)band * (Window.Height + 1) * RowLength;
             float* zeros = ring + (long)Window.Height * RowLength;
-            float** rows = stackalloc float*[Window.Height];
+
+            // Room for a pointer each; of constant size, so that no instruction checks for overflow.
+            long* room = stackalloc long[SlidingWindow.MaxSide];
+            float** rows = (float**)room;
             int above = Window.PaddingAbove(Input.Height), filled = 0;
             for (int y = first; y < end; y++)
             {

@@ -10,7 +10,6 @@ namespace LaserTracking.Hands.Model
         private const long MaxActivations = 1 << 26;
         private const long MaxConstants = 1 << 25;
         private const long MaxMultiplyAdds = 4_000_000_000;
-        private const int MaxWindow = 64;
 
         private readonly TfLiteModel _model;
         private readonly float[]?[] _constants;
@@ -249,8 +248,8 @@ namespace LaserTracking.Hands.Model
         private SlidingWindow Window(TfLiteOperator step, int[]? shape, int height, int width, int dilation, FeatureMap input, FeatureMap output)
         {
             int strideX = Integer(step, 1, 0), strideY = Integer(step, 2, 0);
-            Require((shape == null || shape.Length == 4) && Math.Min(height, width) > 0 && Math.Max(height, width) <= MaxWindow
-                && Math.Min(strideX, strideY) > 0 && Math.Max(strideX, strideY) <= MaxWindow, "has a window or a stride that cannot be");
+            Require((shape == null || shape.Length == 4) && Math.Min(height, width) > 0 && Math.Max(height, width) <= SlidingWindow.MaxSide
+                && Math.Min(strideX, strideY) > 0 && Math.Max(strideX, strideY) <= SlidingWindow.MaxSide, "has a window or a stride that cannot be");
             Require(dilation == 0 || (Integer(step, dilation, 1) == 1 && Integer(step, dilation + 1, 1) == 1), "has a window with gaps");
             var window = new SlidingWindow(Option(step, 0) == 0, height, width, strideY, strideX);
             Require(window.OutputHeight(input.Height) == output.Height && window.OutputWidth(input.Width) == output.Width,
