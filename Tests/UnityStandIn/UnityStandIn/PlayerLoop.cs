@@ -50,6 +50,7 @@ namespace UnityStandIn
         {
             World.Clear();
             ConsoleLog.Clear();
+            JobWorkers.Reset();
             Time.frameCount = 0;
             Time.timeAsDouble = Time.fixedTimeAsDouble = 0;
             Time.deltaTime = 0;

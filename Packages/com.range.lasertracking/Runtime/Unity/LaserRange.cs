@@ -113,7 +113,7 @@ namespace LaserTracking.Unity
                     handSource = _handSource == null ? _source.CreateHandSource() : _handSource.CreateSource(this);
                 long handClockOffsetUs = handSource == null ? 0 : _handSource == null ? _source.HandClockOffsetUs : _handSource.ClockOffsetUs;
                 _shots = new ShotQueue(this);
-                KernelRunner kernels = CreateKernels();
+                KernelRunner kernels = RangeKernels.Create();
                 _handModel = handSource == null ? null : OpenHandModel(kernels);
                 var settings = new PipelineSettings { SceneTimeZeroUs = _source.SceneTimeZeroUs };
                 RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(null, null, kernels), calibration, handSource != null, BuildScorer(), _shots, settings, _handModel, kernels);
@@ -126,16 +126,6 @@ namespace LaserTracking.Unity
                 handSource?.Dispose();
                 Debug.LogError(problem.Message, this);
             }
-        }
-
-        /// <summary>What runs the heavy kernels: Burst jobs where the package com.unity.burst is there.</summary>
-        private static KernelRunner CreateKernels()
-        {
-#if RANGE_BURST
-            return new LaserTracking.Burst.BurstKernelRunner();
-#else
-            return KernelRunner.Plain;
-#endif
         }
 
         /// <summary>Without its file hands are found by depth alone.</summary>

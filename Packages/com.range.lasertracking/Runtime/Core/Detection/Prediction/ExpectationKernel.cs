@@ -101,8 +101,7 @@ namespace LaserTracking.Detection
                 }
 
                 reference[x] = (byte)(largest - excess);
-                if (excess > column[x])
-                    column[x] = (byte)excess;
+                column[x] = (byte)(excess > column[x] ? excess : column[x]);
             }
         }
 
