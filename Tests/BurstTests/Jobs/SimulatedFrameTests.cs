@@ -56,7 +56,6 @@ namespace LaserTracking.Burst
         public void DualShotDetector_FindsTheSameWithJobs()
         {
             SimulationScenario scenario = Scenario(PixelFormat.Yuy2, 330, 180);
-            scenario.DurationS = 1.4;
             scenario.InfraredCamera.Enabled = true;
             scenario.InfraredCamera.Width = scenario.InfraredCamera.Height = 250;
             List<Frame> frames = Record(scenario);
