@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using System.Runtime.InteropServices;
 using LaserTracking.Capture;
 using LaserTracking.Detection;
 using LaserTracking.Geometry;
@@ -181,8 +180,8 @@ namespace LaserTracking.Burst
             foreach (Frame frame in frames)
             {
                 tracker.Process(frame, observations);
-                found.AddRange(MemoryMarshal.AsBytes(observations.Hands).ToArray());
-                found.AddRange(MemoryMarshal.AsBytes(observations.People).ToArray());
+                FieldBytes.AddAll(found, observations.Hands);
+                FieldBytes.AddAll(found, observations.People);
             }
 
             return found.ToArray();
@@ -190,8 +189,8 @@ namespace LaserTracking.Burst
 
         private static void Add(List<byte> found, Detections detections)
         {
-            found.AddRange(MemoryMarshal.AsBytes(detections.Dots).ToArray());
-            found.AddRange(MemoryMarshal.AsBytes(detections.Rejected).ToArray());
+            FieldBytes.AddAll(found, detections.Dots);
+            FieldBytes.AddAll(found, detections.Rejected);
         }
 
         private static byte[] Look(byte[] file, Image picture, KernelRunner kernels)
@@ -199,7 +198,9 @@ namespace LaserTracking.Burst
             using HandLandmarkNetwork network = HandLandmarkNetwork.Read(file, "test", kernels);
             var landmarks = new HandLandmarks();
             network.Run(picture, new HandRegion(picture.Width * 0.5, picture.Height * 0.4, picture.Height * 0.9, 0.3), landmarks);
-            return MemoryMarshal.AsBytes(landmarks.PicturePx).ToArray();
+            var answer = new List<byte>();
+            FieldBytes.AddAll(answer, landmarks.PicturePx);
+            return answer.ToArray();
         }
 
         /// <summary>With the inputs and outputs of the hand model, and all its operators.</summary>
