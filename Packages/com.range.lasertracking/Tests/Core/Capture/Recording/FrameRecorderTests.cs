@@ -131,7 +131,7 @@ namespace LaserTracking.Capture.Recording
         [Test]
         public void Recorder_DiskFull_SaysSoAndLeavesAWholeShorterFile()
         {
-            var stream = new TestStream { Capacity = 60000 };
+            var stream = new TestStream { RoomBytes = 60000 };
             Frame frame = Picture(PixelFormat.Gray8, 100, 100, 1000);
             var recorder = new FrameRecorder(stream, "full.mkv", new FrameRecorderSettings { WaitsWhenFull = true });
             int accepted = 0;
@@ -217,14 +217,14 @@ namespace LaserTracking.Capture.Recording
         {
             public ManualResetEventSlim Stall { get; } = new ManualResetEventSlim(true);
 
-            public long Capacity { get; set; } = long.MaxValue;
+            public long RoomBytes { get; set; } = long.MaxValue;
 
             public byte[] Content => ToArray();
 
             public override void Write(byte[] buffer, int offset, int count)
             {
                 Stall.Wait();
-                long room = Capacity - Position;
+                long room = RoomBytes - Position;
                 base.Write(buffer, offset, (int)Math.Min(room, count));
                 if (room < count)
                     throw new IOException("no space left");
