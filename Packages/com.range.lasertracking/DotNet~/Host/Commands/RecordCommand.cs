@@ -37,6 +37,8 @@ namespace LaserTracking.Host.Commands
                 ResultFile.CheckNotRead(path, name, parsed.GetValue(calibration));
                 PixelRegion? Part(IFrameSource source) => FindRegion(source, parsed.GetValue(region), parsed.GetValue(calibration));
                 bool isWhole = parsed.GetResult(camera)!.Implicit && parsed.GetValue(region) == null && parsed.GetValue(calibration) == null && parsed.GetValue(jpeg) == 0;
+                if (File.Exists(path))
+                    throw new InputException(path, "exists already and is not overwritten", "name another file, or delete this one");
                 if (isWhole && !CameraInput.IsScenario(name) && FrameSources.Detect(name) == FrameSourceKind.AzureKinectRecording)
                     return Task.FromResult(Copy(name, path, interrupted));
                 using IFrameSource source = isHand ? CameraInput.OpenHands(name) : CameraInput.Open(name);
@@ -52,13 +54,9 @@ namespace LaserTracking.Host.Commands
             using var progress = new ProgressLine();
             using var frame = new Frame();
             using var recorder = new FrameRecorder(path, settings);
-            int empty = 0;
             while (!interrupted.IsCancellationRequested && recorder.Problem.Length == 0 && source.TryRead(frame))
             {
-                if (!frame.Color.IsPresent && !frame.Depth.IsPresent && !frame.Infrared.IsPresent)
-                    empty++;
-                else
-                    recorder.Add(frame);
+                recorder.Add(frame);
                 progress.Show(FormattableString.Invariant($"frame {frame.Index + 1}, {recorder.WrittenBytes >> 20} MiB"));
             }
 
@@ -73,15 +71,13 @@ namespace LaserTracking.Host.Commands
 
             if (recorder.RecordedFrames == 0)
                 throw new InputException(source.Info.Name, "has no picture to record", "give another input");
-            string rest = (empty > 0 ? $"; {empty} frames without a picture are not in it" : "") + (recorder.LeftOutPictures > 0 ? $"; {recorder.LeftOutPictures} pictures of another size or format are not in it" : "");
+            string rest = recorder.LeftOutPictures > 0 ? $"; {recorder.LeftOutPictures} missing pictures and such of another size or format are not in it" : "";
             Console.WriteLine(FormattableString.Invariant($"{path}: {recorder.RecordedFrames} frames, {recorder.WrittenBytes} bytes") + rest);
             return interrupted.IsCancellationRequested ? ExitCodes.Interrupted : ExitCodes.Done;
         }
 
         private static int Copy(string name, string path, CancellationToken interrupted)
         {
-            if (File.Exists(path))
-                throw new InputException(path, "exists already and is not overwritten", "name another file, or delete this one");
             using var progress = new ProgressLine();
             using KinectRecording recording = KinectRecording.Open(name);
             using var result = new ResultFile(path);

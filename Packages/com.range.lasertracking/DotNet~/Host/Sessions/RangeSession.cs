@@ -18,6 +18,9 @@ namespace LaserTracking.Host.Sessions
     {
         public static string Version { get; } = typeof(RangeSession).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion.Split('+')[0];
 
+        /// <summary>Identifies the code to the byte: equal sources, compiled by the same compiler, have the same.</summary>
+        public static string Build { get; } = typeof(RangePipeline).Module.ModuleVersionId.ToString("N");
+
         /// <summary>The detectors by the names of the command line.</summary>
         /// <param name="name">As on the command line.</param>
         /// <param name="infraredMapping">For "dual"; null: equal fields of view.</param>
@@ -52,7 +55,7 @@ namespace LaserTracking.Host.Sessions
                     Advisor = new AdvisorSettings { ExposureUs = plan.CameraTiming.ExposureUs },
                 },
                 plan.HandModel);
-            pipeline.Begin(new SessionHeader(Version, plan.Inputs, plan.CalibrationName, plan.Detector, plan.Seed));
+            pipeline.Begin(new SessionHeader(plan.Version ?? Version, plan.Inputs, plan.CalibrationName, plan.Detector, plan.Seed));
             ReportOtherSizes(pipeline, plan);
             if (plan.Detector == "dual" && plan.InfraredProblem != null)
                 pipeline.ReportInputProblem(new FrameProblem(-1, plan.InfraredProblem));

@@ -62,7 +62,7 @@ namespace LaserTracking.Capture.Recording
         /// <summary>Frames that found the queue full, or came after the recording had ended.</summary>
         public long DroppedFrames => Interlocked.Read(ref _dropped);
 
-        /// <summary>Pictures of another size or format than those of the first frame, which a recording cannot hold.</summary>
+        /// <summary>What a recording cannot hold: frames without a picture, pictures of another size or format than the first frame's.</summary>
         public long LeftOutPictures => Interlocked.Read(ref _leftOut) + Interlocked.Read(ref _misfits);
 
         /// <summary>Size of the file so far, bytes.</summary>
@@ -71,7 +71,7 @@ namespace LaserTracking.Capture.Recording
         /// <summary>Why the recording ended before it was stopped, one line with what to do; empty: it did not.</summary>
         public string Problem => Volatile.Read(ref _problem);
 
-        /// <summary>Takes a copy of the frame. False when it was dropped.</summary>
+        /// <summary>Takes a copy of the frame. False when it was dropped, or has no picture that can be recorded.</summary>
         public bool Add(Frame frame)
         {
             Frame slot;
@@ -90,6 +90,12 @@ namespace LaserTracking.Capture.Recording
 
             // Outside the lock: the writer never touches slots beyond _count.
             Copy(frame, slot);
+            if (!slot.Color.IsPresent && !slot.Depth.IsPresent && !slot.Infrared.IsPresent)
+            {
+                Interlocked.Increment(ref _misfits);
+                return false;
+            }
+
             lock (_lock)
             {
                 _count++;
@@ -140,7 +146,7 @@ namespace LaserTracking.Capture.Recording
                 slot.Color.CopyTightFrom(frame.Color);
             else if (frame.Color.Width == region.FullWidth && frame.Color.Height == region.FullHeight)
                 region.Crop(frame.Color, slot.Color);
-            else
+            else if (slot.Depth.IsPresent || slot.Infrared.IsPresent)
                 Interlocked.Increment(ref _misfits);
         }
 
@@ -194,7 +200,7 @@ namespace LaserTracking.Capture.Recording
         {
             KinectRecordingHead head = KinectRecordingHead.Of(frame, _settings.Streams, _settings.FramesPerSecond);
             if (head.ColorFormat == KinectImageFormat.Unknown && head.DepthWidth == 0 && head.InfraredWidth == 0)
-                throw new InvalidDataException(LeftOutPictures > 0 ? "the first picture has another size than the one that the region belongs to" : "the first frame has no picture to record");
+                throw new InvalidDataException("the first frame has no picture of a format that can be recorded");
             if (_jpeg != null && head.ColorFormat != KinectImageFormat.Unknown)
                 head.ColorFormat = KinectImageFormat.Mjpg;
             head.ColorRegion = _settings.Region;

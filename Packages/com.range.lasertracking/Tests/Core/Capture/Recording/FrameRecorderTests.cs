@@ -174,13 +174,13 @@ namespace LaserTracking.Capture.Recording
         }
 
         [Test]
-        public void Recorder_FirstFrameWithoutPicture_SaysSo()
+        public void Recorder_FramesWithoutPicture_AreCounted()
         {
             var recorder = new FrameRecorder(PathOf("a.mkv"), new FrameRecorderSettings());
-            recorder.Add(new Frame());
+            Assert.That(recorder.Add(new Frame()), Is.False);
+            recorder.Add(Picture(PixelFormat.Gray8, 8, 8, 1000));
             recorder.Dispose();
-            Assert.That(recorder.Problem, Does.Contain("no picture to record"));
-            Assert.That(File.Exists(PathOf("a.mkv")), Is.False);
+            Assert.That((recorder.LeftOutPictures, recorder.RecordedFrames, recorder.Problem), Is.EqualTo((1L, 1L, "")));
         }
 
         [Test]
