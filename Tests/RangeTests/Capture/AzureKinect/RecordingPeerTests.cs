@@ -46,7 +46,7 @@ namespace LaserTracking.Capture.AzureKinect
             Assert.That(output, Does.Contain("[PACKET]"));
             (exitCode, output, error) = ToolForTests.Run("mkvinfo", "-a", "--ui-language", "en_US", path);
             Assert.That((exitCode, error.Trim()), Is.EqualTo((0, "")), output);
-            Assert.That(output.Split('\n').Where(line => line.StartsWith('(') || line.Contains("Error") || line.Contains("nknown") || line.Contains("resync")), Is.Empty);
+            Assert.That(output.Split('\n').Where(line => line.StartsWith('(') || line.Contains("Error") || line.Contains("Unknown") || line.Contains("resync")), Is.Empty);
             (exitCode, output, _) = ToolForTests.Run("mkvmerge", "--ui-language", "en_US", "-J", path);
             JObject identified = JObject.Parse(output);
             Assert.That((exitCode, identified["errors"]!.Count(), identified["warnings"]!.Count()), Is.EqualTo((0, 0, 0)), output);
@@ -131,7 +131,7 @@ namespace LaserTracking.Capture.AzureKinect
         /// <summary>Every packet with its time and a hash of its bytes, by track.</summary>
         private static IEnumerable<string> Packets(string path)
         {
-            (_, string output, _) = ToolForTests.Run("ffprobe", "-v", "fatal", "-show_packets", "-show_data_hash", "md5", "-show_entries", "packet=stream_index,pts,data_hash", "-of", "csv=p=0", path);
+            (_, string output, _) = ToolForTests.Run("ffprobe", "-v", "fatal", "-show_packets", "-show_data_hash", "md5", "-show_entries", "packet=stream_index,pts_time,data_hash", "-of", "csv=p=0", path);
             return output.Split('\n', StringSplitOptions.RemoveEmptyEntries).OrderBy(line => line, StringComparer.Ordinal);
         }
     }

@@ -52,7 +52,7 @@ namespace LaserTracking.Session
         /// <summary>Damage that the sources reported and that the recordings do not show again.</summary>
         public int InputProblems { get; set; }
 
-        /// <summary>False for a session that was not ended properly.</summary>
+        /// <summary>Recorded from its first frame to its last.</summary>
         public bool IsComplete { get; set; }
 
         /// <summary>Why a replay may give other bytes, one sentence each; empty: it gives the same.</summary>
@@ -61,7 +61,7 @@ namespace LaserTracking.Session
         {
             var doubts = new List<string>();
             if (!IsComplete)
-                doubts.Add("the session was not ended properly");
+                doubts.Add("it was not recorded from its beginning to its end");
             if (Lost > 0)
                 doubts.Add(Lost + " frames are not in its recordings");
             if (InputProblems > 0)
