@@ -112,10 +112,10 @@ namespace LaserTracking.Scoring
                     log.Add(0, i, new Pose(new Vector3D(i, 0, 0), Rotation3D.Identity));
             });
             byte[] file = File.ReadAllBytes(_path);
-            for (int length = 0; length < file.Length; length += 7)
+            for (int length = 0; length < file.Length; length += 41)
                 Read(file.AsSpan(0, length).ToArray());
             var random = new Random(3);
-            for (int i = 0; i < 3000; i++)
+            for (int i = 0; i < 600; i++)
             {
                 byte[] damaged = (byte[])file.Clone();
                 for (int change = 0; change <= i % 4; change++)

@@ -59,7 +59,7 @@ namespace LaserTracking.Session
             SessionLogFile.Write(Log(), _folder);
             string path = Path.Combine(_folder, SessionLog.FileName), text = File.ReadAllText(path);
             var random = new Random(1);
-            for (int i = 0; i < 2000; i++)
+            for (int i = 0; i < 400; i++)
             {
                 char[] damaged = (i % 3 == 0 ? text.Substring(0, random.Next(text.Length)) : text).ToCharArray();
                 for (int change = 0; change <= i % 4 && damaged.Length > 0; change++)
