@@ -163,7 +163,7 @@ namespace LaserTracking.Unity
 
         private static List<ShotEvent> HeadlessShots(SimulatedRange range)
         {
-            var sink = new ShotQueue(new GameObject("headless"));
+            var sink = new EventInbox();
             var settings = new PipelineSettings { SceneTimeZeroUs = range.Truth.ColorClockUs(0) };
             var pipeline = RangePipeline.CreateDefault(new ShotDetector(), range.Calibration, true, new ShotScorer(range.Scene), sink, settings);
             using (IFrameSource color = range.CreateColorSource(), depth = range.CreateDepthSource())
@@ -171,7 +171,7 @@ namespace LaserTracking.Unity
                 runner.Run(System.Threading.CancellationToken.None);
             pipeline.End(0);
             var shots = new List<ShotEvent>();
-            while (sink.TryTake(out ShotEvent shot))
+            while (sink.TryTakeShot(out ShotEvent shot))
                 shots.Add(shot);
             return shots;
         }

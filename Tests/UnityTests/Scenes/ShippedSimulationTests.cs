@@ -38,7 +38,11 @@ namespace LaserTracking.Unity
                 target.Hit += _ => hits.Add(target.name);
 
             for (int i = 0; i < PlayedS * 60; i++)
+            {
                 PlayerLoop.Step(1 / 60.0);
+                range.CompleteDueFrames();
+            }
+
             Assert.That(ConsoleLog.Entries, Is.Empty);
             Assert.That(range.IsRunning, Is.True);
             range.gameObject.SetActive(false);
@@ -100,7 +104,7 @@ namespace LaserTracking.Unity
             SimulationScenario scenario = SimulationScenarioFile.Read(Path.Combine(TestFiles.Repository, "Assets", "Sources", "demo.scenario.json"));
             var range = new SimulatedRange(scenario, UnitySceneReader.Read(Scene));
             truth = range.Truth;
-            var sink = new ShotQueue(new GameObject("headless"));
+            var sink = new EventInbox();
             long zeroUs = range.Truth.ColorClockUs(0);
             var pipeline = RangePipeline.CreateDefault(new ShotDetector(), range.Calibration, true, new ShotScorer(range.Scene), sink, new PipelineSettings { SceneTimeZeroUs = zeroUs });
             using (var stop = new CancellationTokenSource())
@@ -117,7 +121,7 @@ namespace LaserTracking.Unity
 
             pipeline.End(0);
             var shots = new List<ShotEvent>();
-            while (sink.TryTake(out ShotEvent shot))
+            while (sink.TryTakeShot(out ShotEvent shot))
                 shots.Add(shot);
             return shots;
         }
