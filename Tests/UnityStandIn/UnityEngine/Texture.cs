@@ -7,9 +7,21 @@ namespace UnityEngine
         {
         }
 
-        public virtual int width { get; set; }
+        public virtual int width
+        {
+            get => Width;
+            set => Width = value;
+        }
 
-        public virtual int height { get; set; }
+        public virtual int height
+        {
+            get => Height;
+            set => Height = value;
+        }
+
+        internal virtual int Width { get; set; }
+
+        internal virtual int Height { get; set; }
 
         public FilterMode filterMode { get; set; } = FilterMode.Bilinear;
 

@@ -43,16 +43,16 @@ namespace UnityEngine
             return colors;
         }
 
-        public override int width
+        internal override int Width
         {
-            get => WebCams.Pixels == null ? base.width : WebCams.Width;
-            set => base.width = value;
+            get => WebCams.Pixels == null ? base.Width : WebCams.Width;
+            set => base.Width = value;
         }
 
-        public override int height
+        internal override int Height
         {
-            get => WebCams.Pixels == null ? base.height : WebCams.Height;
-            set => base.height = value;
+            get => WebCams.Pixels == null ? base.Height : WebCams.Height;
+            set => base.Height = value;
         }
     }
 }

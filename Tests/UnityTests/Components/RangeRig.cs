@@ -71,6 +71,14 @@ namespace LaserTracking.Unity
             return target;
         }
 
+        /// <summary>At the eye, looking at the screen.</summary>
+        public static Camera AddMainCamera()
+        {
+            var owner = new GameObject("Main Camera") { tag = "MainCamera" };
+            owner.transform.position = new Vector3(0, 0, -(float)EyeDistanceM);
+            return owner.AddComponent<Camera>();
+        }
+
         public static TargetDefinitionAsset Definition(string name, float sizeM)
         {
             TargetDefinitionAsset asset = ScriptableObject.CreateInstance<TargetDefinitionAsset>();

@@ -33,6 +33,9 @@ namespace LaserTracking.Unity
             var shots = new List<ShotEvent>();
             LaserRange range = PlayerLoop.All<LaserRange>().Single();
             range.ShotFired += shot => shots.Add(shot);
+            int dots = 0, hands = 0;
+            range.DotMoved += _ => dots++;
+            range.HandMoved += _ => hands++;
             var hits = new List<string>();
             foreach (LaserTarget target in PlayerLoop.All<LaserTarget>())
                 target.Hit += _ => hits.Add(target.name);
@@ -56,6 +59,8 @@ namespace LaserTracking.Unity
             }
 
             Assert.That(hits, Is.EqualTo(shots.Where(shot => shot.HasHit).Select(shot => shot.Hit.Target)));
+            Assert.That(dots, Is.GreaterThanOrEqualTo(shots.Count));
+            Assert.That(hands, Is.GreaterThan(100), "three shooters' hands in a hundred frames");
             Assert.That(shots.Count(shot => shot.HasMuzzle), Is.GreaterThan(0), "camera 1 plays too");
             string[] aimedAt = truth.Shots.Where(shot => shot.SceneTimeUs < 3.9e6).Select(shot => shot.AimedAt).ToArray();
             Assert.That(aimedAt, Has.Length.EqualTo(6), "what the scenario fires until then");

@@ -78,12 +78,18 @@ namespace LaserTracking.Unity
         /// </summary>
         public void CompleteDueFrames()
         {
+            WaitForDueFrames();
+            RaiseEvents();
+        }
+
+        internal void WaitForDueFrames()
+        {
             if (_pump == null)
                 return;
             _pump.CompleteDue();
+            // Its first frame may have come only now, and with it the clock.
             TellTime(_pump);
             _pump.CompleteDue();
-            RaiseEvents();
         }
 
         /// <summary>Opens source and calibration anew, in the next Update.</summary>
