@@ -49,6 +49,9 @@ namespace LaserTracking.Session
         /// <summary>Frames that the recorders had to drop, or could not hold: a replay then finds other events.</summary>
         public long Lost { get; set; }
 
+        /// <summary>The recordings do not hold every bit of what the detector saw: JPEG, or only the screen's part.</summary>
+        public bool IsReduced { get; set; }
+
         /// <summary>Damage that the sources reported and that the recordings do not show again.</summary>
         public int InputProblems { get; set; }
 
@@ -64,6 +67,8 @@ namespace LaserTracking.Session
                 doubts.Add("it was not recorded from its beginning to its end");
             if (Lost > 0)
                 doubts.Add(Lost + " frames are not in its recordings");
+            if (IsReduced)
+                doubts.Add("its recordings do not hold every bit of the pictures");
             if (InputProblems > 0)
                 doubts.Add("its own input was damaged in " + InputProblems + " places");
             if (Build != build)

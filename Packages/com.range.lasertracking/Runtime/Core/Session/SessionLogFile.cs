@@ -37,6 +37,7 @@ namespace LaserTracking.Session
                     RowUs = (double?)root["row_us"] ?? 0,
                     Frames = (long?)root["frames"] ?? 0,
                     Lost = (long?)root["lost"] ?? 0,
+                    IsReduced = (bool?)root["reduced"] ?? false,
                     InputProblems = (int?)root["input_problems"] ?? 0,
                     IsComplete = (bool?)root["complete"] ?? false,
                 };
@@ -71,6 +72,7 @@ namespace LaserTracking.Session
                 ["row_us"] = log.RowUs,
                 ["frames"] = log.Frames,
                 ["lost"] = log.Lost,
+                ["reduced"] = log.IsReduced,
                 ["input_problems"] = log.InputProblems,
                 ["complete"] = log.IsComplete,
             };

@@ -35,6 +35,7 @@ namespace LaserTracking.Session
             log.HasHandFrames = hands != null;
             log.HasCalibration = calibration != null;
             log.HasScene = scene != null;
+            log.IsReduced = screen.Region != null || screen.JpegQuality > 0;
             try
             {
                 _screen = new FrameRecorder(Path.Combine(folder, SessionLog.ScreenFramesName), screen);

@@ -25,6 +25,7 @@ namespace LaserTracking.Capture.Recording
         private int _first;
         private int _count;
         private bool _isStopping;
+        private bool _isAdding;
         private string _problem = "";
         private long _recorded;
         private long _dropped;
@@ -86,26 +87,25 @@ namespace LaserTracking.Capture.Recording
                 }
 
                 slot = _ring[(_first + _count) % _ring.Length];
+                _isAdding = true;
             }
 
             // Outside the lock: the writer never touches slots beyond _count.
             Copy(frame, slot);
-            if (!slot.Color.IsPresent && !slot.Depth.IsPresent && !slot.Infrared.IsPresent)
-            {
+            bool hasPicture = slot.Color.IsPresent || slot.Depth.IsPresent || slot.Infrared.IsPresent;
+            if (!hasPicture)
                 Interlocked.Increment(ref _misfits);
-                return false;
-            }
-
             lock (_lock)
             {
-                _count++;
+                _isAdding = false;
+                _count += hasPicture ? 1 : 0;
                 Monitor.PulseAll(_lock);
             }
 
-            return true;
+            return hasPicture;
         }
 
-        /// <summary>Writes what waits, completes the file and closes it. A file without a single frame is deleted.</summary>
+        /// <summary>Writes what waits, completes the file and closes it; by any thread. A file without a single frame is deleted.</summary>
         public void Dispose()
         {
             lock (_lock)
@@ -113,6 +113,8 @@ namespace LaserTracking.Capture.Recording
                 if (_isStopping)
                     return;
                 _isStopping = true;
+                while (_isAdding)
+                    Monitor.Wait(_lock);
                 Monitor.PulseAll(_lock);
             }
 
