@@ -177,7 +177,7 @@ namespace LaserTracking.Unity
             rig.Play(1);
             Assert.That(recorder.IsRecording, Is.False);
             Assert.That(rig.Shots, Has.Count.EqualTo(1));
-            Assert.That(ConsoleLog.Entries.Count(e => e.Text.Contains("nothing is recorded")), Is.EqualTo(1));
+            Assert.That(ConsoleLog.Entries.Count(e => e.Message.Contains("nothing is recorded")), Is.EqualTo(1));
             Assert.That(health.Count(h => h.Text.Contains("nothing is recorded") && !h.Text.Contains('\n')), Is.EqualTo(1));
             ConsoleLog.Clear();
         }
