@@ -54,7 +54,7 @@ namespace LaserTracking.Unity
         }
 
         [TestCase("", "recording source : names no file; give the path of an Azure Kinect recording")]
-        [TestCase("nowhere.mkv", "nowhere.mkv: does not exist; check the path")]
+        [TestCase("nowhere.mkv", "nowhere.mkv: no such file; check the name")]
         public void RecordingThatIsNotThere_IsOneMessage(string file, string text)
         {
             var rig = new RangeRig(new StubSource(1, 0));
