@@ -34,6 +34,8 @@ namespace LaserTracking.Commands
             (int exitCode, _, string error) = CommandLine.Run("record", folder.File("all.mkv"), "--out", folder.File("part.mkv"), "--region", "20,10,80,60");
             Assert.That((exitCode, error), Is.EqualTo((ExitCodes.Done, "")));
             Assert.That(new FileInfo(folder.File("part.mkv")).Length, Is.LessThan(new FileInfo(folder.File("all.mkv")).Length / 2.5));
+            (_, string output, _) = CommandLine.Run("info", folder.File("part.mkv"));
+            Assert.That(output.Replace(" ", "").Replace("\n", ""), Does.Contain("\"region\":{\"x\":20,\"y\":10,\"full_width\":160,\"full_height\":90}"));
         }
 
         [Test]

@@ -5,7 +5,7 @@ using UnityEngine;
 namespace LaserTracking.Unity
 {
     /// <summary>Objects of a described scene that something else than a path moves, by their numbers in it. Main thread only.</summary>
-    public sealed class MovedObjects
+    internal sealed class MovedObjects
     {
         public static readonly MovedObjects None = new MovedObjects();
 
@@ -13,7 +13,7 @@ namespace LaserTracking.Unity
 
         public int Count => _objects.Count;
 
-        internal void Add(int index, Transform moved, TargetMotion motion) => _objects.Add((index, moved, motion));
+        public void Add(int index, Transform moved, TargetMotion motion) => _objects.Add((index, moved, motion));
 
         /// <summary>Notes where they are now.</summary>
         /// <param name="log">Of the scene that they belong to.</param>

@@ -5,7 +5,6 @@ using LaserTracking.Capture;
 using LaserTracking.Capture.Recording;
 using LaserTracking.Geometry;
 using LaserTracking.Imaging;
-using LaserTracking.Pipeline;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
 using UnityEngine;
@@ -96,7 +95,7 @@ namespace LaserTracking.Unity
                 var log = new SessionLog
                 {
                     Header = new SessionHeader(PackageVersion.Text, new[] { new SessionInput(screen.Info.Name, null) }, calibration == null ? null : SessionLog.CalibrationFileName, "shots", null),
-                    Build = typeof(RangePipeline).Module.ModuleVersionId.ToString("N"),
+                    Build = SessionLog.ThisBuild,
                     HandClockOffsetUs = handClockOffsetUs,
                     SceneTimeZeroUs = asset.SceneTimeZeroUs,
                 };

@@ -30,7 +30,7 @@ namespace LaserTracking.Unity
         /// <summary>The same where something else moves targets that have a <see cref="TargetMotion"/> of kind None: their poses are to be logged.</summary>
         /// <param name="range">See above.</param>
         /// <param name="moved">What has to be logged.</param>
-        public static SceneModel Build(LaserRange range, out MovedObjects moved) => Build(range, new SceneModelBuilder(moved = new MovedObjects()));
+        internal static SceneModel Build(LaserRange range, out MovedObjects moved) => Build(range, new SceneModelBuilder(moved = new MovedObjects()));
 
         private static SceneModel Build(LaserRange range, SceneModelBuilder builder)
         {

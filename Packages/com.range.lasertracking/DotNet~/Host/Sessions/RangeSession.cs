@@ -18,9 +18,6 @@ namespace LaserTracking.Host.Sessions
     {
         public static string Version { get; } = typeof(RangeSession).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion.Split('+')[0];
 
-        /// <summary>Identifies the code to the byte: equal sources, compiled by the same compiler, have the same.</summary>
-        public static string Build { get; } = typeof(RangePipeline).Module.ModuleVersionId.ToString("N");
-
         /// <summary>The detectors by the names of the command line.</summary>
         /// <param name="name">As on the command line.</param>
         /// <param name="infraredMapping">For "dual"; null: equal fields of view.</param>

@@ -34,7 +34,7 @@ namespace LaserTracking.Host.Sessions
             var log = new SessionLog
             {
                 Header = new SessionHeader(plan.Version ?? RangeSession.Version, plan.Inputs, plan.CalibrationName, plan.Detector, plan.Seed),
-                Build = RangeSession.Build,
+                Build = SessionLog.ThisBuild,
                 HandModel = handModel,
                 HandClockOffsetUs = plan.HandClockOffsetUs,
                 SceneTimeZeroUs = plan.SceneTimeZeroUs,
@@ -65,7 +65,7 @@ namespace LaserTracking.Host.Sessions
         public static SessionPlan Open(string folder, out string[] doubts)
         {
             SessionLog log = SessionLogFile.Read(folder);
-            doubts = log.Doubts(RangeSession.Build).ToArray();
+            doubts = log.Doubts(SessionLog.ThisBuild).ToArray();
             string PathOf(string name) => Path.Combine(folder, name);
             RangeCalibration? calibration = log.HasCalibration ? RangeCalibrationFile.Read(PathOf(SessionLog.CalibrationFileName)) : null;
             if (log.HasHandFrames && calibration?.HandCamera == null)

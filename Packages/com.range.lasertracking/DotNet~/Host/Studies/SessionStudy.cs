@@ -30,7 +30,7 @@ namespace LaserTracking.Host.Studies
             var table = new StudyTable("10 min, 320×180 NV12 at 30 frames/s, depth 320×288 at 15, four shooters, 40 shots a minute", "seed", "run", "frames", "shots", "event lines", "same bytes", "MB recorded", "took s");
             for (int seed = options.FirstSeed; seed <= options.LastSeed && !interrupted.IsCancellationRequested; seed++)
                 RunSeed(seed, options, table, interrupted);
-            table.Notes.Add("Bytes are compared without the value of seconds_wall. Build " + RangeSession.Build + ".");
+            table.Notes.Add("Bytes are compared without the value of seconds_wall. Build " + SessionLog.ThisBuild + ".");
             return table;
         }
 

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 
@@ -15,6 +16,9 @@ namespace LaserTracking.Session
         public const string CalibrationFileName = "calibration.json";
         public const string SceneFileName = "scene.jsonl";
         public const string EventsFileName = "events.jsonl";
+
+        /// <summary>This program's own build: equal sources, compiled by the same compiler, have the same; "unknown" where the runtime does not tell.</summary>
+        public static string ThisBuild { get; } = FindBuild();
 
         /// <summary>The session's own header: a replay writes it again.</summary>
         public SessionHeader Header { get; set; } = new SessionHeader("", new SessionInput[0], null, "shots", null);
@@ -74,6 +78,19 @@ namespace LaserTracking.Session
             if (Build != build)
                 doubts.Add("it was recorded by another build (" + Build + ", this one is " + build + ")");
             return doubts;
+        }
+
+        private static string FindBuild()
+        {
+            try
+            {
+                return typeof(SessionLog).Module.ModuleVersionId.ToString("N");
+            }
+            catch (Exception problem) when (problem is NotSupportedException || problem is NotImplementedException)
+            {
+                // Compiled ahead of time: there are no modules.
+                return "unknown";
+            }
         }
 
         /// <summary>Whether a folder holds a session.</summary>

@@ -168,6 +168,7 @@ namespace LaserTracking.Capture.Recording
                 }
 
                 _writer?.Finish();
+                Interlocked.Exchange(ref _bytes, _writer?.WrittenBytes ?? 0);
                 _file?.Flush(true);
             }
             catch (Exception problem)
