@@ -18,6 +18,9 @@ namespace LaserTracking.Host.Scenes
         /// <summary>Folder of the package's scripts that need not be read: they show or feed, and move nothing that can be hit.</summary>
         public const string PackageFolder = "Packages/com.range.lasertracking/";
 
+        /// <summary>Guid of the scripts that Unity brings itself, documents of its UI: they show and move nothing that can be hit.</summary>
+        public const string UnitysOwn = "0000000000000000e000000000000000";
+
         /// <summary>Class by the guid of its script.</summary>
         public static readonly IReadOnlyDictionary<string, string> ClassByGuid = new Dictionary<string, string>
         {
@@ -43,7 +46,7 @@ namespace LaserTracking.Host.Scenes
         {
             [LaserTarget] = new[] { "_hit" },
             [LaserRange] = new[] { "_handSource", "_handModelFile", "_shotFired", "_dotMoved", "_handMoved", "_healthChanged", "_aim" },
-            [ScreenSurface] = new[] { "_calibrationFile" },
+            [ScreenSurface] = new[] { "_calibrationFile", "_fillsCamera" },
         };
 
         /// <summary>Fields that every MonoBehaviour and ScriptableObject has.</summary>

@@ -149,6 +149,8 @@ namespace LaserTracking.Host.Scenes
                 return name;
             }
 
+            if (guid == ProductScripts.UnitysOwn)
+                return "";
             if (!_project.TryFind(guid, out string relative, out _))
                 throw fields.Problem($"unknown component class: no script has the guid \"{guid}\"", "remove the component or bring its script and .meta into the project");
             return relative.StartsWith(ProductScripts.PackageFolder, System.StringComparison.Ordinal) ? "" : relative;
