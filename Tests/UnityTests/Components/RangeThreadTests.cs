@@ -41,6 +41,16 @@ namespace LaserTracking.Unity
         }
 
         [Test]
+        public void DetectorsThread_OnceWarm_AllocatesNothingFromFrameToFrame()
+        {
+            var rig = new RangeRig(new StubSource(300, 0, (70, 320, 240), (150, 200, 240)));
+            rig.Play(10.5);
+            Assert.That(rig.Range.IsRunning, Is.False);
+            Assert.That(rig.Shots, Has.Count.EqualTo(2));
+            Assert.That(rig.Source.LeastAllocatedIn20Frames(140, 290), Is.Zero);
+        }
+
+        [Test]
         public void LaserRange_SwitchedOffWhilePlaying_EndsItsThreadAndClosesTheSource()
         {
             var rig = new RangeRig(new StubSource(2000, 0));
@@ -102,11 +112,12 @@ namespace LaserTracking.Unity
             rig.SourceAsset.Create = () => ++tries < 3 ? throw new InputException("camera", "not there", "plug it in") : new StubSource(4000, 9_000_000, (30, 320, 240)) { PaceMs = 2 };
             Until(() => rig.Shots.Count == 1, 0.25);
             Assert.That(tries, Is.EqualTo(3));
-            string[] said = ConsoleLog.Entries.Select(entry => entry.Message).Where(text => !text.Contains("left out")).ToArray();
+            // A busy machine may also have lost frames, and says so.
+            string[] said = rig.Health.Where(health => health.Kind == HealthKind.SetUp).Select(health => health.Text).ToArray();
             Assert.That(said, Has.Length.EqualTo(2));
             Assert.That(said[0], Does.Contain("gives no more pictures"));
             Assert.That(said[1], Does.Contain("is there again"));
-            Assert.That(rig.Health.Select(health => health.Text), Is.SupersetOf(said));
+            Assert.That(ConsoleLog.Entries.Select(entry => entry.Message), Is.SupersetOf(said));
         }
 
         [Test]

@@ -31,6 +31,15 @@ namespace LaserTracking.Host.Scenes
             ["b33198d265cad9bf2143c3cead4383f8"] = LaserRange,
         };
 
+        /// <summary>Components that show or bring shots and decide nothing about what they meet, by the guids of their scripts.</summary>
+        public static readonly IReadOnlyDictionary<string, string> ShowingByGuid = new Dictionary<string, string>
+        {
+            ["842ac62e1e1b4650b63394a694ed9b0a"] = "ShotVisuals",
+            ["37ae146a84c2caefe0daa04317b60df8"] = "Scoreboard",
+            ["8c7810aa1b663a441f2aa3614be26986"] = "CalibrationScreen",
+            ["4e594f06acf668db5e74aefd635dc51f"] = "RemoteInput",
+        };
+
         /// <summary>Serialised fields by class; all of them are written by Unity, so a missing one is as wrong as an unknown one.</summary>
         public static readonly IReadOnlyDictionary<string, string[]> FieldsByClass = new Dictionary<string, string[]>
         {

@@ -149,7 +149,7 @@ namespace LaserTracking.Host.Scenes
                 return name;
             }
 
-            if (guid == ProductScripts.UnitysOwn)
+            if (guid == ProductScripts.UnitysOwn || ProductScripts.ShowingByGuid.ContainsKey(guid))
                 return "";
             if (!_project.TryFind(guid, out string relative, out _))
                 throw fields.Problem($"unknown component class: no script has the guid \"{guid}\"", "remove the component or bring its script and .meta into the project");
