@@ -40,7 +40,7 @@ namespace LaserTracking.Unity
             Desk.IsPressed = true;
             PlayerLoop.Step(1 / 60.0);
             Desk.IsPressed = false;
-            Play(() => shots.Count > 0, 60);
+            Play(() => shots.Count > 0, 1200);
             Assert.That((shots.Single().Hit.Target, shots[0].Hit.Points), Is.EqualTo(("Plate 1", 5)));
             Assert.That(shots[0].Hit.LocalPointM.Length, Is.LessThan(0.02));
             Assert.That(PlayerLoop.All<ShotVisuals>().Single().HolesShown, Is.EqualTo(1));
