@@ -52,7 +52,7 @@ namespace LaserTracking.Unity
                 SessionLogWriter? recording = _range.Recorder?.Begin(_asset, source, handSource, handClockOffsetUs, calibration);
                 return new FramePump(pipeline, source, handSource, handClockOffsetUs, _asset, handModel, events, recording);
             }
-            catch (InputException)
+            catch
             {
                 _asset.ReleaseSource();
                 source?.Dispose();
