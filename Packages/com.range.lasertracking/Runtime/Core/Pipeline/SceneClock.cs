@@ -71,8 +71,10 @@ namespace LaserTracking.Pipeline
 
         private void FollowCamera(double engineTimeS, double passedS, double seenS)
         {
+            // No frame comes from the future: a clock that lies behind one was set by a frame that had come late.
+            _timeS = Math.Max(_timeS, seenS);
             _leastLateS = Math.Max(_leastLateS, seenS - _timeS);
-            double step = Math.Max(-SlewPerS * passedS, Math.Min(SlewPerS * passedS, _toCorrectS));
+            double step = Math.Max(-SlewPerS * passedS, _toCorrectS);
             _timeS += step;
             _toCorrectS -= step;
             _leastLateS -= step;

@@ -33,6 +33,15 @@ namespace LaserTracking.Pipeline
             Assert.That(clock.TimeS, Is.EqualTo(last + 0.1).Within(1e-9));
         }
 
+        [Test]
+        public void SceneClock_LiveFirstFrameThatCameLate_IsMadeGoodByTheNext()
+        {
+            var clock = new SceneClock(true, 0.1);
+            clock.Begin(10.6, 0);
+            clock.Advance(10.62, 0.55, isWorking: true);
+            Assert.That(clock.TimeS, Is.EqualTo(0.65).Within(1e-12), "it had waited for half a second");
+        }
+
         [TestCase(1.0 + 100e-6)]
         [TestCase(1.0 - 100e-6)]
         public void SceneClock_LiveCameraWhoseQuartzDrifts_IsFollowedWithinMilliseconds(double rate)
