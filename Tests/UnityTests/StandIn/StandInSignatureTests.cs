@@ -72,7 +72,7 @@ namespace LaserTracking.Unity
         private static bool IsUnitys(Type type) =>
             type.Namespace == "UnityEngine" || type.Namespace!.StartsWith("UnityEngine.", StringComparison.Ordinal) || type.Namespace.StartsWith("Unity.", StringComparison.Ordinal);
 
-        private static IEnumerable<string> ProblemsOf(SignatureList list, Type type, string name)
+        internal static IEnumerable<string> ProblemsOf(SignatureList list, Type type, string name)
         {
             var wrong = new List<string>();
             if (!Check(list, name, wrong))
@@ -90,7 +90,7 @@ namespace LaserTracking.Unity
             return wrong;
         }
 
-        private static bool Check(SignatureList list, string entry, List<string> wrong)
+        internal static bool Check(SignatureList list, string entry, List<string> wrong)
         {
             if (!list.TryGetTags(entry, out string tags))
             {

@@ -6,8 +6,8 @@ using UnityEngine;
 namespace LaserTracking.Unity
 {
     /// <summary>
-    /// A camera that is plugged in, or will be: read by a thread of its own, looked for until it is there. Times of all such sources are
-    /// on the host's clock, so that two cameras go together without more.
+    /// A camera that is plugged in, or will be: it is looked for until it is there. Times of all such sources are on the host's clock, so
+    /// that two cameras go together without more.
     /// </summary>
     public abstract class LiveSourceAsset : FrameSourceAsset
     {
@@ -24,11 +24,14 @@ namespace LaserTracking.Unity
 
         public override long ClockOffsetUs => (long)Math.Round(_clockOffsetMs * 1000.0);
 
-        public override IFrameSource CreateSource(LaserRange range) =>
-            new LiveFrameSource(CreateCamera(), HostClock.NowUs, new LiveCameraSettings { LatencyMs = _latencyMs });
+        public override bool IsLive => true;
+
+        public override IFrameSource CreateSource(LaserRange range) => CreateSource(HostClock.NowUs);
 
         /// <summary>The camera, not yet open. Whether it is there shows later, as health.</summary>
         /// <exception cref="InputException">Its vendor's library is missing, or the asset's settings contradict each other.</exception>
         protected abstract ILiveCamera CreateCamera();
+
+        internal LiveCameraSource CreateSource(Func<long> nowUs) => new LiveCameraSource(CreateCamera(), nowUs, new LiveCameraSettings { LatencyMs = _latencyMs });
     }
 }

@@ -21,6 +21,7 @@ namespace LaserTracking.Capture.Live
         private bool _isSet;
         private bool _wasClosed;
         private double _offsetUs;
+        private double _targetUs;
         private long _startedUs;
         private long _windowBeganUs;
         private long _windowLeastUs;
@@ -58,26 +59,29 @@ namespace LaserTracking.Capture.Live
         private void Begin(long offset, long arrivalUs)
         {
             _isSet = true;
-            _offsetUs = offset;
+            _offsetUs = _targetUs = offset;
             _startedUs = _windowBeganUs = arrivalUs;
             _windowLeastUs = offset;
         }
 
-        /// <summary>The least offset of a window is the quickest arrival's; a later window's may be greater: clocks drift either way.</summary>
+        /// <summary>
+        /// The least offset of a window is the quickest arrival's. A quicker one is proof at once; that all have become slower is
+        /// proven by a whole window.
+        /// </summary>
         private void Follow(long offset, long arrivalUs, long intervalUs)
         {
             _windowLeastUs = Math.Min(_windowLeastUs, offset);
-            bool isNew = arrivalUs - _startedUs < StartUs;
-            double most = Math.Max(0, intervalUs) * (isNew ? StartSlew : SteadySlew);
-            // Downwards at once, for a quicker arrival is proof; upwards only by a whole window's evidence.
-            if (_windowLeastUs < _offsetUs)
-                _offsetUs = Math.Max(_windowLeastUs, _offsetUs - most);
-            if (arrivalUs - _windowBeganUs < WindowUs)
-                return;
-            if (_windowLeastUs > _offsetUs)
-                _offsetUs = Math.Min(_windowLeastUs, _offsetUs + (arrivalUs - _windowBeganUs) * SteadySlew);
-            _windowBeganUs = arrivalUs;
-            _windowLeastUs = offset;
+            double most = Math.Max(0, intervalUs) * (arrivalUs - _startedUs < StartUs ? StartSlew : SteadySlew);
+            if (_windowLeastUs < _targetUs)
+                _targetUs = _windowLeastUs;
+            if (arrivalUs - _windowBeganUs >= WindowUs)
+            {
+                _targetUs = _windowLeastUs;
+                _windowBeganUs = arrivalUs;
+                _windowLeastUs = offset;
+            }
+
+            _offsetUs += Math.Max(-most, Math.Min(most, _targetUs - _offsetUs));
         }
     }
 }

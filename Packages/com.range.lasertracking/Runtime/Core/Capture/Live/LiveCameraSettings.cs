@@ -32,20 +32,12 @@ namespace LaserTracking.Capture.Live
         /// <summary>From the light to the arrival of its picture, milliseconds, about.</summary>
         public double LatencyMs { get; set; }
 
-        /// <summary>Pictures kept for a reader that is late, 1…64; then the oldest goes.</summary>
-        public int QueueFrames { get; set; } = 8;
-
-        /// <summary>Longest time that ending waits for the vendor's library; then its thread is left to end by itself.</summary>
-        public int StopMs { get; set; } = 2000;
-
         internal LiveCameraSettings Validated()
         {
-            if (ReadTimeoutMs < 1 || FirstPictureMs < 1 || SilenceMs < 1 || FirstRetryMs < 1 || LongestRetryMs < FirstRetryMs || SettleMs < 0 || CheckMs < 1 || StopMs < 0)
+            if (ReadTimeoutMs < 1 || FirstPictureMs < 1 || SilenceMs < 1 || FirstRetryMs < 1 || LongestRetryMs < FirstRetryMs || SettleMs < 0 || CheckMs < 1)
                 throw new ArgumentException("times of a live camera must be positive, and the longest retry no shorter than the first");
             if (!(LatencyMs >= 0 && LatencyMs < 10_000))
                 throw new ArgumentException("the latency must lie between 0 and 10,000 ms");
-            if (QueueFrames < 1 || QueueFrames > 64)
-                throw new ArgumentException("1…64 pictures can be kept");
             return this;
         }
     }

@@ -142,7 +142,6 @@ namespace LaserTracking.Capture.Live
         public void Settings_ThatContradictEachOther_AreRefused()
         {
             Assert.That(() => new LiveCameraLoop(_camera, new LiveCameraSettings { LongestRetryMs = 1 }, () => 0, _reports.Add), Throws.ArgumentException);
-            Assert.That(() => new LiveCameraLoop(_camera, new LiveCameraSettings { QueueFrames = 0 }, () => 0, _reports.Add), Throws.ArgumentException);
             Assert.That(() => new LiveCameraLoop(_camera, new LiveCameraSettings { LatencyMs = double.NaN }, () => 0, _reports.Add), Throws.ArgumentException);
         }
 
