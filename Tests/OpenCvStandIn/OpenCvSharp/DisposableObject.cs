@@ -5,17 +5,15 @@ namespace OpenCvSharp
 {
     public abstract class DisposableObject : IDisposable
     {
+        private bool _isDisposed;
+
         public void Dispose()
         {
-            if (!IsDisposed)
-                DisposeUnmanaged();
-            IsDisposed = true;
+            if (!_isDisposed)
+                Release();
+            _isDisposed = true;
         }
 
-        public bool IsDisposed { get; protected set; }
-
-        protected virtual void DisposeUnmanaged()
-        {
-        }
+        internal abstract void Release();
     }
 }

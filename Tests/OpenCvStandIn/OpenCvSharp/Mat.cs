@@ -29,7 +29,7 @@ namespace OpenCvSharp
 
         public MatType Type() => _type;
 
-        protected override void DisposeUnmanaged()
+        internal override void Release()
         {
             Marshal.FreeHGlobal(_memory);
             FakeWebcam.MatsAlive--;

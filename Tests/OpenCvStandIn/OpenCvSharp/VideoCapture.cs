@@ -23,6 +23,6 @@ namespace OpenCvSharp
 
         public bool Set(VideoCaptureProperties propertyId, double value) => _webcam.Set(propertyId, value);
 
-        protected override void DisposeUnmanaged() => _webcam?.Close();
+        internal override void Release() => _webcam?.Close();
     }
 }

@@ -77,7 +77,8 @@ namespace LaserTracking.Unity
             var wrong = new List<string>();
             if (!Check(list, name, wrong))
                 return wrong;
-            if (list.KindOf(name) != SignatureText.Kind(type))
+            // C# 9 has no record structs; to whoever uses one it is a struct.
+            if (list.KindOf(name).Replace("readonly record struct", "struct") != SignatureText.Kind(type))
                 wrong.Add(name + " is \"" + SignatureText.Kind(type) + "\", Unity's is \"" + list.KindOf(name) + "\"");
             IEnumerable<Type> bases = type.GetInterfaces().Except(type.BaseType?.GetInterfaces() ?? Type.EmptyTypes);
             Type[] roots = { typeof(object), typeof(ValueType), typeof(Enum) };

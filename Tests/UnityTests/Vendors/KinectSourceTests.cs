@@ -38,7 +38,7 @@ namespace LaserTracking.Unity
             {
                 Assert.That(source.TryRead(frame), Is.True);
                 Assert.That((frame.Color.Format, frame.Color.Width, frame.Color.Height), Is.EqualTo((PixelFormat.Nv12, 1280, 720)));
-                Assert.That(frame.Color.Bytes.ToArray(), Is.All.EqualTo((byte)i));
+                Assert.That(frame.Color.Bytes.IndexOfAnyExcept((byte)i), Is.EqualTo(-1), "every byte");
                 Assert.That(frame.Depth.IsPresent || frame.Infrared.IsPresent, Is.False);
                 Assert.That(_kinect.CapturesOut, Is.Zero, "captures are disposed at once");
             }
@@ -150,14 +150,13 @@ namespace LaserTracking.Unity
         [Test]
         public void Source_CalibrationOfTheDevice_IsReadByCore()
         {
-            string path = Path.Combine(TestFiles.Data, "k4a", "calibration.json");
             KinectColorSource asset = Color();
             Assert.That(asset.TryReadCalibration(KinectDepthMode.NfovUnbinned, out _, out string reason), Is.False);
             Assert.That(reason, Does.Contain("has not run yet"));
-            string? file = Directory.Exists(Path.Combine(TestFiles.Data, "k4a")) ? Directory.GetFiles(Path.Combine(TestFiles.Data, "k4a"), "*calibration*.json").FirstOrDefault() : null;
-            if (file == null)
+            string path = Path.Combine(TestFiles.Data, "k4a", "calibration_retail_like_4x3_brown_conrady.json");
+            if (!File.Exists(path))
                 Assert.Ignore("no calibration of a device here: " + path);
-            _kinect.RawCalibration = File.ReadAllBytes(file!);
+            _kinect.RawCalibration = File.ReadAllBytes(path);
             using LiveCameraSource source = asset.CreateSource(_clock.NowUs);
             Read(source, 1);
             Assert.That(asset.TryReadCalibration(KinectDepthMode.NfovUnbinned, out KinectCalibration? calibration, out reason), Is.True, reason);

@@ -60,8 +60,9 @@ namespace LaserTracking.Unity
         public void Source_OfUnknownKind_IsSaid()
         {
             _webcam.Type = new MatType(5);
+            _clock.StepUs = 900_000;
             using LiveCameraSource source = Webcam().CreateSource(_clock.NowUs);
-            Read(source, 400);
+            Read(source, 6);
             Assert.That(source.Problems[0].What, Does.Contain("its pictures are of a kind that is not known here"));
         }
 
