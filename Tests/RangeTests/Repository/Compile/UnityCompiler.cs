@@ -34,10 +34,13 @@ namespace LaserTracking.Repository
             ["OpenCvSharp.dll"] = "OpenCvStandIn",
         };
 
-        private static readonly Regex Directive = new Regex(@"^\s*#\s*(?:if|elif)\s+(.*)$", RegexOptions.Multiline);
+        private static readonly Regex Directive = new Regex(@"^[ \t]*#[ \t]*(?:if|elif)[ \t]+(.*)$", RegexOptions.Multiline);
 
         private readonly string _packageRoot = typeof(UnityCompiler).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>().Single(attribute => attribute.Key == "NuGetPackageRoot").Value!;
+        private readonly Dictionary<string, (string[] Texts, HashSet<string> Asked)> _sources = new Dictionary<string, (string[] Texts, HashSet<string> Asked)>();
+        private readonly Dictionary<string, bool> _usesEditor = new Dictionary<string, bool>();
         private readonly Dictionary<string, CSharpCompilation> _compiled = new Dictionary<string, CSharpCompilation>();
+        private readonly Dictionary<CSharpCompilation, IReadOnlyList<string>> _errors = new Dictionary<CSharpCompilation, IReadOnlyList<string>>();
         private readonly Dictionary<string, MetadataReference> _files = new Dictionary<string, MetadataReference>();
 
         /// <summary>Compilations that were made, each distinct.</summary>
@@ -63,11 +66,15 @@ namespace LaserTracking.Repository
         public IReadOnlyList<string> CompileText(AssemblyDefinition assembly, string source, ISet<string> symbols, bool isEditor)
         {
             CSharpCompilation compilation = Assembly(assembly, symbols, isEditor);
-            return Errors(compilation.AddSyntaxTrees(CSharpSyntaxTree.ParseText(source, (CSharpParseOptions)compilation.SyntaxTrees.First().Options, "added.cs")));
+            SyntaxTree added = CSharpSyntaxTree.ParseText(source, (CSharpParseOptions)compilation.SyntaxTrees.First().Options, "added.cs");
+            return Texts(compilation.AddSyntaxTrees(added).GetSemanticModel(added).GetDiagnostics());
         }
 
-        private static IReadOnlyList<string> Errors(CSharpCompilation compilation) =>
-            compilation.GetDiagnostics().Where(found => found.Severity >= DiagnosticSeverity.Warning && !found.IsSuppressed).Select(found => found.ToString().Replace(TestFiles.Repository, "")).ToList();
+        private IReadOnlyList<string> Errors(CSharpCompilation compilation) =>
+            _errors.TryGetValue(compilation, out IReadOnlyList<string>? known) ? known : _errors[compilation] = Texts(compilation.GetDiagnostics());
+
+        private static IReadOnlyList<string> Texts(IEnumerable<Diagnostic> diagnostics) =>
+            diagnostics.Where(found => found.Severity >= DiagnosticSeverity.Warning && !found.IsSuppressed).Select(found => found.ToString().Replace(TestFiles.Repository, "")).ToList();
 
         private CSharpCompilation Assembly(AssemblyDefinition assembly, ISet<string> symbols, bool isEditor)
         {
@@ -76,7 +83,11 @@ namespace LaserTracking.Repository
             var keys = new List<string>();
             if (!assembly.HasNoEngineReferences)
                 references.Add(StandIn("UnityStandIn"));
-            if (!assembly.HasNoEngineReferences && isEditor && RepositoryFiles.IsFolder("Tests/UnityEditorStandIn"))
+            // Assemblies that never name it are the same in the editor and in a player.
+            if (!_usesEditor.TryGetValue(assembly.Name, out bool usesEditor))
+                _usesEditor[assembly.Name] = usesEditor = !assembly.HasNoEngineReferences && sources.Any(path => RepositoryFiles.Read(path).Contains("UnityEditor"));
+            usesEditor &= isEditor;
+            if (usesEditor)
                 references.Add(StandIn("UnityEditorStandIn", "UnityStandIn"));
             foreach (string name in assembly.References.Where(name => !InTheEngine.Contains(name)))
             {
@@ -89,14 +100,18 @@ namespace LaserTracking.Repository
             }
 
             references.AddRange(assembly.PrecompiledReferences.Select(Precompiled));
-            return Create(assembly.Name, sources, symbols, references, string.Join("+", keys) + (isEditor ? " editor" : ""), assembly.AllowsUnsafeCode, assembly.HasFile("csc.rsp"));
+            return Create(assembly.Name, sources, symbols, references, string.Join("+", keys) + (usesEditor ? " editor" : ""), assembly.AllowsUnsafeCode, assembly.HasFile("csc.rsp"));
         }
 
         private CSharpCompilation Create(string name, IReadOnlyList<string> sources, IEnumerable<string> symbols, IEnumerable<MetadataReference> references, string referenceKey, bool isUnsafe, bool isNullable)
         {
-            string[] texts = sources.Select(RepositoryFiles.Read).ToArray();
-            var asked = new HashSet<string>(texts.SelectMany(SymbolsAskedFor));
-            string[] relevant = symbols.Where(asked.Contains).OrderBy(symbol => symbol, StringComparer.Ordinal).ToArray();
+            if (!_sources.TryGetValue(name, out (string[] Texts, HashSet<string> Asked) read))
+            {
+                string[] texts = sources.Select(RepositoryFiles.Read).ToArray();
+                _sources[name] = read = (texts, new HashSet<string>(texts.SelectMany(SymbolsAskedFor)));
+            }
+
+            string[] relevant = symbols.Where(read.Asked.Contains).OrderBy(symbol => symbol, StringComparer.Ordinal).ToArray();
             string key = name + "(" + string.Join(",", relevant) + ")[" + referenceKey + "]";
             if (_compiled.TryGetValue(key, out CSharpCompilation? known))
                 return known;
@@ -104,7 +119,7 @@ namespace LaserTracking.Repository
             var options = new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, allowUnsafe: isUnsafe, nullableContextOptions: isNullable ? NullableContextOptions.Enable : NullableContextOptions.Disable)
                 // CS0649: Unity assigns serialised fields, and its compiler knows. CS1701, CS1702: unified versions of .NET's own assemblies.
                 .WithSpecificDiagnosticOptions(new[] { "CS0649", "CS1701", "CS1702" }.ToDictionary(id => id, _ => ReportDiagnostic.Suppress));
-            CSharpCompilation made = CSharpCompilation.Create(name, texts.Select((text, i) => CSharpSyntaxTree.ParseText(text, parse, RepositoryFiles.Absolute(sources[i]), System.Text.Encoding.UTF8)), references, options);
+            CSharpCompilation made = CSharpCompilation.Create(name, read.Texts.Select((text, i) => CSharpSyntaxTree.ParseText(text, parse, RepositoryFiles.Absolute(sources[i]), System.Text.Encoding.UTF8)), references, options);
             _compiled[key] = made;
             return made;
         }
