@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Threading;
 using LaserTracking.Capture;
 using LaserTracking.Imaging;
 
@@ -31,9 +32,27 @@ namespace LaserTracking.Unity
 
         public bool IsDisposed { get; private set; }
 
+        /// <summary>The thread that reads.</summary>
+        public Thread? Reader { get; private set; }
+
+        /// <summary>A device that answers no more: the next read comes back when this is set.</summary>
+        public ManualResetEventSlim? HangsUntil { get; set; }
+
+        /// <summary>Frames after which it throws; 0: never.</summary>
+        public int BreaksAfter { get; set; }
+
+        /// <summary>Real milliseconds from frame to frame, as of a camera.</summary>
+        public int PaceMs { get; set; }
+
         public bool TryRead(Frame frame)
         {
-            if (_next >= _frames)
+            Reader = Thread.CurrentThread;
+            HangsUntil?.Wait();
+            if (PaceMs > 0)
+                Thread.Sleep(PaceMs);
+            if (BreaksAfter > 0 && _next >= BreaksAfter)
+                throw new InputException("stub", "breaks", "mend it");
+            if (_next >= _frames || IsDisposed)
                 return false;
             long timeUs = _startUs + _next * FrameIntervalUs;
             frame.Begin(_next, timeUs);

@@ -19,8 +19,8 @@ namespace LaserTracking.Unity
         private const int TransformClass = 4;
         private const int ScriptClass = 114;
 
-        // Camera, AudioListener, Light, MeshRenderer, MeshFilter; settings and roots of the scene.
-        private static readonly int[] NotModelled = { 20, 81, 108, 23, 33, 29, 104, 157, 196, 1660057539 };
+        // AudioListener, Light, MeshFilter; settings and roots of the scene.
+        private static readonly int[] NotModelled = { 81, 108, 33, 29, 104, 157, 196, 1660057539 };
         private static readonly string[] UnitysOwn = { "m_ObjectHideFlags", "m_CorrespondingSourceObject", "m_PrefabInstance", "m_PrefabAsset", "m_GameObject", "m_Enabled", "m_EditorHideFlags", "m_Script", "m_Name", "m_EditorClassIdentifier" };
 
         private readonly UnityYamlFile _file;
@@ -75,6 +75,10 @@ namespace LaserTracking.Unity
                     _made.Add(component.FileId, made.transform);
                 else if (component.ClassId == ScriptClass)
                     _made.Add(component.FileId, made.AddComponent(ScriptType(component)));
+                else if (component.ClassId == 20)
+                    made.AddComponent<Camera>().fieldOfView = component.Number("field of view");
+                else if (component.ClassId == 23)
+                    made.AddComponent<MeshRenderer>();
                 else if (!NotModelled.Contains(component.ClassId))
                     _made.Add(component.FileId, AddCollider(made, component));
             }

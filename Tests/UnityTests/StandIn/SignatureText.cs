@@ -108,7 +108,8 @@ namespace LaserTracking.Unity
             string text = method.IsPublic ? "" : "protected ";
             if (method.IsStatic)
                 return text + "static ";
-            if (!(method is MethodInfo info) || !info.IsVirtual)
+            // In an interface the lists write no abstract: everything is.
+            if (!(method is MethodInfo info) || !info.IsVirtual || info.DeclaringType!.IsInterface)
                 return text;
             if (info.GetBaseDefinition() != info)
                 return text + (info.IsFinal ? "sealed override " : "override ");

@@ -54,7 +54,10 @@ namespace LaserTracking.Unity
         {
         }
 
-        /// <summary>Called on the main thread when the source plays no longer.</summary>
+        /// <summary>
+        /// Called on the main thread when the source shall play no longer, just before its frame source is disposed: a read that waits
+        /// for the device must come back soon.
+        /// </summary>
         public virtual void ReleaseSource()
         {
         }

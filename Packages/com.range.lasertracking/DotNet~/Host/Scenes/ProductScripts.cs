@@ -42,7 +42,8 @@ namespace LaserTracking.Host.Scenes
         public static readonly IReadOnlyDictionary<string, string[]> EventsByClass = new Dictionary<string, string[]>
         {
             [LaserTarget] = new[] { "_hit" },
-            [LaserRange] = new[] { "_handSource", "_handModelFile", "_shotFired" },
+            [LaserRange] = new[] { "_handSource", "_handModelFile", "_shotFired", "_dotMoved", "_handMoved", "_healthChanged", "_aim" },
+            [ScreenSurface] = new[] { "_calibrationFile" },
         };
 
         /// <summary>Fields that every MonoBehaviour and ScriptableObject has.</summary>

@@ -48,6 +48,8 @@ namespace LaserTracking.Host.Scenes
                 throw range.Problem("the screen or the viewpoint moves", "remove TargetMotion from them and from what is above them");
             if (!(screen.Pose.InverseTransformPoint(eye.Pose.Position).Z < -1e-3))
                 throw range.Problem("the viewpoint is not in front of the screen", "move it to the side of the screen's negative z axis");
+            if (range.Has("_aim") && range.Integer("_aim") != 0)
+                throw range.Problem("its shots are aimed from the muzzle, here they are cast from the viewpoint", "set Aim to Viewpoint");
             return new SceneModel(Path.GetFileNameWithoutExtension(_file), screen.Pose, size, eye.Pose.Position, range.Layers("_hitLayers"), _objects.ReadAll());
         }
 

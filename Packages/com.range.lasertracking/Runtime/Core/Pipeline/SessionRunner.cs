@@ -14,6 +14,7 @@ namespace LaserTracking.Pipeline
         private readonly RangePipeline _pipeline;
         private readonly IFrameSource _screenCamera;
         private readonly IFrameSource? _handCamera;
+        private readonly LiveFrameSource? _liveHands;
         private readonly long _handClockOffsetUs;
         private readonly Frame _handFrame = new Frame();
         private bool _hasStarted;
@@ -32,6 +33,7 @@ namespace LaserTracking.Pipeline
             _pipeline = pipeline;
             _screenCamera = screenCamera;
             _handCamera = handCamera;
+            _liveHands = handCamera as LiveFrameSource;
             _handClockOffsetUs = handClockOffsetUs;
         }
 
@@ -82,6 +84,8 @@ namespace LaserTracking.Pipeline
             if (!_hasProcessed)
                 _firstTimeUs = Current.TimeUs;
             _hasProcessed = true;
+            if (!_hasHandFrame && _liveHands != null)
+                _hasHandFrame = TryReadHands(_handFrame);
             while (_hasHandFrame && _handFrame.TimeUs <= Current.TimeUs)
             {
                 HasHandsInTime |= _handFrame.TimeUs >= _firstTimeUs;
@@ -105,7 +109,8 @@ namespace LaserTracking.Pipeline
 
         private bool TryReadHands(Frame frame)
         {
-            if (_handCamera == null || !_handCamera.TryRead(frame))
+            // A live camera 1 that falls silent must not hold up camera 0.
+            if (_handCamera == null || !(_liveHands == null ? _handCamera.TryRead(frame) : _liveHands.TryReadNow(frame)))
                 return false;
             frame.TimeUs += _handClockOffsetUs;
             frame.Depth.TimeUs += _handClockOffsetUs;
