@@ -17,7 +17,7 @@ using UnityStandIn;
 namespace LaserTracking.Unity
 {
     /// <summary>The Kinect sources over the wrapper's stand-in, with cameras that are pulled out, fall silent, refuse and hang.</summary>
-    public sealed class KinectSourceTests
+    public sealed class KinectSourceTests : StandInTests
     {
         private readonly VirtualClock _clock = new VirtualClock();
         private FakeKinect _kinect = null!;

@@ -13,7 +13,7 @@ using UnityStandIn;
 namespace LaserTracking.Unity
 {
     /// <summary>The webcam source over OpenCvSharp's stand-in, with cameras of every manner.</summary>
-    public sealed class WebcamSourceTests
+    public sealed class WebcamSourceTests : StandInTests
     {
         private readonly VirtualClock _clock = new VirtualClock();
         private FakeWebcam _webcam = null!;
