@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
@@ -198,6 +199,39 @@ namespace LaserTracking.Unity
         }
 
         [Test]
+        public void LaserRange_CameraPulledOutAndPutBack_TellsItsListenersAndGoesOn()
+        {
+            _kinect.IntervalMs = 15;
+            RangeRig rig = Play(out List<string> health);
+            Until(rig, () => _kinect.IsStarted && rig.Range.IsRunning);
+            _kinect.IsConnected = false;
+            Until(rig, () => health.Exists(text => text.Contains("lost (k4a_device_get_capture() failed)")));
+            _kinect.IsConnected = true;
+            Until(rig, () => health.Exists(text => text.Contains("is back after")));
+            Assert.That(rig.Range.IsRunning, Is.True);
+            rig.Range.enabled = false;
+            Assert.That(_kinect.IsOpen, Is.False);
+            Assert.That(ConsoleLog.Entries.Select(entry => entry.Type), Has.None.EqualTo(LogType.Exception));
+        }
+
+        [Test]
+        public void LaserRange_SwitchedOffWhileTheLibraryHangs_ReturnsAndTheCameraIsGivenBackLater()
+        {
+            RangeRig rig = Play(out _);
+            Until(rig, () => _kinect.IsStarted);
+            using var hang = new ManualResetEventSlim();
+            _kinect.Hang = hang;
+            Thread.Sleep(30);
+            var watch = Stopwatch.StartNew();
+            rig.Range.enabled = false;
+            Assert.That(watch.ElapsedMilliseconds, Is.LessThan(5000));
+            Assert.That(_kinect.IsOpen, Is.True, "its thread still waits in the library");
+            hang.Set();
+            _kinect.Hang = null!;
+            Until(rig, () => !_kinect.IsOpen);
+        }
+
+        [Test]
         public void Read_OfAWarmSource_AllocatesNothingOfItsOwn()
         {
             using LiveCameraSource source = Color().CreateSource(_clock.NowUs);
@@ -208,6 +242,29 @@ namespace LaserTracking.Unity
                 for (int i = 0; i < 50; i++)
                     source.TryRead(frame);
             }), Is.Zero);
+        }
+
+        private static RangeRig Play(out List<string> health)
+        {
+            var rig = new RangeRig(new StubSource(1, 0));
+            SerializedFields.Set(rig.Range, "_source", Color());
+            var said = new List<string>();
+            rig.Range.HealthChanged += heard => said.Add(heard.Text);
+            rig.Range.gameObject.SetActive(true);
+            health = said;
+            return rig;
+        }
+
+        private static void Until(RangeRig rig, Func<bool> isSo)
+        {
+            var watch = Stopwatch.StartNew();
+            while (!isSo() && watch.ElapsedMilliseconds < 30_000)
+            {
+                PlayerLoop.Step(1 / 60.0);
+                Thread.Sleep(2);
+            }
+
+            Assert.That(isSo(), Is.True, "within half a minute of " + rig.Range.name);
         }
 
         private static void Read(IFrameSource source, int count)
