@@ -119,6 +119,16 @@ namespace LaserTracking.Unity
         }
 
         [Test]
+        public void SourceWhoseLibraryIsMissing_IsOneMessage()
+        {
+            var rig = new RangeRig(new StubSource(1, 0));
+            rig.SourceAsset.Create = () => throw new DllNotFoundException("k4a");
+            rig.SourceAsset.Live = true;
+            rig.Play(5);
+            ExpectOne(rig, "LaserRange range: the source  needs a library that is not there or does not fit (k4a); install it, or choose another source");
+        }
+
+        [Test]
         public void CalibrationFileThatIsDamaged_IsOneMessage()
         {
             using var folder = new TemporaryFolder();

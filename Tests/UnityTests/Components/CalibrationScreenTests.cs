@@ -115,7 +115,7 @@ namespace LaserTracking.Unity
         private static void Play(RangeRig rig, Func<bool> isSo, CalibrationScreen? calibration = null, ProjectedSource? camera = null)
         {
             var watch = System.Diagnostics.Stopwatch.StartNew();
-            while (!isSo() && watch.Elapsed.TotalSeconds < 15)
+            while (!isSo() && watch.Elapsed.TotalSeconds < 40)
             {
                 PlayerLoop.Step(0.02);
                 if (camera != null)

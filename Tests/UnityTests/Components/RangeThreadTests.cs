@@ -41,6 +41,16 @@ namespace LaserTracking.Unity
         }
 
         [Test]
+        public void DetectorsThread_OnceWarm_AllocatesNothingFromFrameToFrame()
+        {
+            var rig = new RangeRig(new StubSource(300, 0, (70, 320, 240), (150, 200, 240)));
+            rig.Play(10.5);
+            Assert.That(rig.Range.IsRunning, Is.False);
+            Assert.That(rig.Shots, Has.Count.EqualTo(2));
+            Assert.That(rig.Source.LeastAllocatedIn20Frames(140, 290), Is.Zero);
+        }
+
+        [Test]
         public void LaserRange_SwitchedOffWhilePlaying_EndsItsThreadAndClosesTheSource()
         {
             var rig = new RangeRig(new StubSource(2000, 0));
@@ -98,15 +108,16 @@ namespace LaserTracking.Unity
             RangeRig rig = LiveRig(new StubSource(15, 0) { PaceMs = 2 });
             int tries = 0;
             rig.Range.gameObject.SetActive(true);
-            Until(() => ConsoleLog.Entries.Count == 1);
-            rig.SourceAsset.Create = () => ++tries < 3 ? throw new InputException("camera", "not there", "plug it in") : new StubSource(4000, 9_000_000, (30, 320, 240)) { PaceMs = 2 };
-            Until(() => rig.Shots.Count == 1, 0.25);
+            Until(() => rig.Health.Any(health => health.Kind == HealthKind.SetUp));
+            rig.SourceAsset.Create = () => ++tries < 3 ? throw new InputException("camera", "not there", "plug it in") : new StubSource(4000, 9_000_000, Flashes) { PaceMs = 2 };
+            Until(() => rig.Shots.Count > 0, 0.25);
             Assert.That(tries, Is.EqualTo(3));
-            string[] said = ConsoleLog.Entries.Select(entry => entry.Message).Where(text => !text.Contains("left out")).ToArray();
+            // A busy machine may also have lost frames, and says so.
+            string[] said = rig.Health.Where(health => health.Kind == HealthKind.SetUp).Select(health => health.Text).ToArray();
             Assert.That(said, Has.Length.EqualTo(2));
             Assert.That(said[0], Does.Contain("gives no more pictures"));
             Assert.That(said[1], Does.Contain("is there again"));
-            Assert.That(rig.Health.Select(health => health.Text), Is.SupersetOf(said));
+            Assert.That(ConsoleLog.Entries.Select(entry => entry.Message), Is.SupersetOf(said));
         }
 
         [Test]
@@ -114,14 +125,14 @@ namespace LaserTracking.Unity
         {
             RangeRig rig = LiveRig(new StubSource(1, 0));
             bool isThere = false;
-            rig.SourceAsset.Create = () => isThere ? new StubSource(4000, 0, (30, 320, 240)) { PaceMs = 2 } : throw new InputException("camera 7", "is not there", "plug it in");
+            rig.SourceAsset.Create = () => isThere ? new StubSource(4000, 0, Flashes) { PaceMs = 2 } : throw new InputException("camera 7", "is not there", "plug it in");
             rig.Range.gameObject.SetActive(true);
             for (int i = 0; i < 20; i++)
                 PlayerLoop.Step(0.5);
             Assert.That(ConsoleLog.Entries.Single().Message, Is.EqualTo("camera 7: is not there; plug it in"));
             Assert.That(rig.Health.Single().Text, Is.EqualTo("camera 7: is not there; plug it in"));
             isThere = true;
-            Until(() => rig.Shots.Count == 1, 0.25);
+            Until(() => rig.Shots.Count > 0, 0.25);
             Assert.That(rig.Shots[0].HasScreenPosition, Is.True);
         }
 
@@ -256,6 +267,9 @@ namespace LaserTracking.Unity
             }), Is.Zero);
         }
 
+        // Live frames may be left out on a busy machine: one flash alone might never be seen.
+        private static (int Frame, int X, int Y)[] Flashes => Enumerable.Range(1, 100).Select(i => (30 * i, 320, 240)).ToArray();
+
         private static RangeRig LiveRig(StubSource source)
         {
             var rig = new RangeRig(source);
@@ -263,11 +277,11 @@ namespace LaserTracking.Unity
             return rig;
         }
 
-        /// <summary>Plays until it is so, at most ten real seconds.</summary>
+        /// <summary>Plays until it is so, at most half a real minute.</summary>
         private static void Until(Func<bool> isSo, double stepS = 1 / 60.0)
         {
             var watch = System.Diagnostics.Stopwatch.StartNew();
-            while (!isSo() && watch.Elapsed.TotalSeconds < 10)
+            while (!isSo() && watch.Elapsed.TotalSeconds < 30)
             {
                 PlayerLoop.Step(stepS);
                 Thread.Sleep(2);

@@ -17,6 +17,7 @@ namespace LaserTracking.Unity
         private readonly int _frames;
         private readonly long _startUs;
         private readonly (int Frame, int X, int Y)[] _flashes;
+        private readonly long[] _allocated = new long[1024];
         private int _next;
 
         public StubSource(int frames, long startUs, params (int Frame, int X, int Y)[] flashes)
@@ -31,6 +32,15 @@ namespace LaserTracking.Unity
         public IReadOnlyList<FrameProblem> Problems { get; } = new List<FrameProblem>();
 
         public bool IsDisposed { get; private set; }
+
+        /// <summary>The least that the reading thread allocated in any twenty frames from one to another, everything between two reads included.</summary>
+        public long LeastAllocatedIn20Frames(int from, int to)
+        {
+            long least = long.MaxValue;
+            for (int i = from; i + 20 <= to; i += 20)
+                least = Math.Min(least, _allocated[i + 20] - _allocated[i]);
+            return least;
+        }
 
         /// <summary>The thread that reads.</summary>
         public Thread? Reader { get; private set; }
@@ -47,6 +57,7 @@ namespace LaserTracking.Unity
         public bool TryRead(Frame frame)
         {
             Reader = Thread.CurrentThread;
+            _allocated[_next % _allocated.Length] = GC.GetAllocatedBytesForCurrentThread();
             HangsUntil?.Wait();
             if (PaceMs > 0)
                 Thread.Sleep(PaceMs);

@@ -48,7 +48,14 @@ namespace LaserTracking.Unity
 
             Assert.That(ConsoleLog.Entries, Is.Empty);
             Assert.That(range.IsRunning, Is.True);
+            PlayerLoop.Step(1 / 60.0);
+            ShotVisuals visuals = PlayerLoop.All<ShotVisuals>().Single();
+            ScoreSheet sheet = PlayerLoop.All<Scoreboard>().Single().Sheet;
+            Assert.That(visuals.HolesShown, Is.EqualTo(shots.Count), "every shot leaves a mark: on a target or on what is behind");
+            Assert.That((sheet.Total.Shots, sheet.Total.Hits + sheet.Total.Mistakes), Is.EqualTo((shots.Count, hits.Count)));
+            Assert.That(sheet.Shooters.Select(row => row.Number).Where(number => number > 0).Count(), Is.GreaterThanOrEqualTo(2));
             range.gameObject.SetActive(false);
+            Assert.That((visuals.HolesShown, visuals.RaysShown), Is.EqualTo((0, 0)));
 
             List<ShotEvent> headless = HeadlessShots(out SimulationTruth truth);
             Assert.That(shots.Select(Describe), Is.EqualTo(headless.Select(Describe)));

@@ -234,13 +234,11 @@ namespace LaserTracking.Unity
         /// <summary>Once for each time that it doubles: a machine that is too slow must not fill the Console.</summary>
         private void TellDropped()
         {
-            if (!(_screenCamera is LiveFrameSource live))
-                return;
-            long dropped = live.Dropped;
+            long dropped = _screenCamera is LiveFrameSource live ? live.Dropped : _screenCamera is PushedFrameSource pushed ? pushed.Dropped : 0;
             if (dropped == 0 || dropped < 2 * _toldDropped)
                 return;
             _toldDropped = dropped;
-            Say(HealthKind.FrameGap, FormattableString.Invariant($"{dropped} frames of {live.Info.Name} were left out because the detector did not keep up; shots in them are lost: close other programs or lower the camera's resolution"), dropped);
+            Say(HealthKind.FrameGap, FormattableString.Invariant($"{dropped} frames of {_screenCamera.Info.Name} were left out because the detector did not keep up; shots in them are lost: close other programs or lower the camera's resolution"), dropped);
         }
 
         private void Fail(string text)

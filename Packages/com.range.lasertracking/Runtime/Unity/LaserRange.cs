@@ -1,4 +1,5 @@
 using System;
+using System.IO;
 using LaserTracking.Capture;
 using LaserTracking.Session;
 using UnityEngine;
@@ -174,6 +175,10 @@ namespace LaserTracking.Unity
                 if (!isRetry)
                     Report(problem.Message, true);
                 WaitForCamera();
+            }
+            catch (Exception problem) when (problem is TypeLoadException || problem is FileNotFoundException || problem is BadImageFormatException)
+            {
+                Report("LaserRange " + name + ": the source " + _source.name + " needs a library that is not there or does not fit (" + problem.Message + "); install it, or choose another source", true);
             }
         }
 

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using LaserTracking.Capture;
 using LaserTracking.Geometry;
 using LaserTracking.Imaging;
@@ -14,7 +15,9 @@ namespace LaserTracking.Unity
     public sealed class MouseSource : FrameSourceAsset
     {
         private const int WidthPx = 960;
-        private const double FlashS = 0.05;
+        private const int FlashFrames = 3;
+        private const int DarkFrames = 2;
+        private const int MostClicks = 32;
         private const double DotSigmaPx = 2.4;
         private const int DotReachPx = 10;
 
@@ -27,8 +30,9 @@ namespace LaserTracking.Unity
         private LaserRange? _range;
         private RangeCalibration? _calibration;
         private byte[] _noise = Array.Empty<byte>();
+        private readonly Queue<Vector2D> _clicksPx = new Queue<Vector2D>(MostClicks);
         private Vector2D _dotPx;
-        private double _dotUntilS = double.NegativeInfinity;
+        private int _phase;
         private double _lastS = double.NegativeInfinity;
         private int _index;
 
@@ -48,7 +52,9 @@ namespace LaserTracking.Unity
             _calibration = screen.ReadCalibration() ?? Straight(screen.SizeM);
             _noise = MakeNoise(_calibration.ImageWidth * 4 * _calibration.ImageHeight);
             _index = 0;
-            _lastS = _dotUntilS = double.NegativeInfinity;
+            _lastS = double.NegativeInfinity;
+            _clicksPx.Clear();
+            _phase = FlashFrames + DarkFrames;
             _next = new Frame();
             return _frames = new PushedFrameSource(new FrameSourceInfo("mouse", _calibration.ImageWidth, _calibration.ImageHeight, 0, null));
         }
@@ -66,8 +72,8 @@ namespace LaserTracking.Unity
             if (!(along.Z > 0 && from.Z < 0))
                 return;
             Vector3D screenM = Axes.SurfaceToScreen(from + along * (-from.Z / along.Z), screen.SizeM);
-            _dotPx = _calibration!.Screen.ToImagePx(new Vector2D(screenM.X, screenM.Y));
-            _dotUntilS = Time.timeAsDouble + FlashS;
+            if (_clicksPx.Count < MostClicks)
+                _clicksPx.Enqueue(_calibration!.Screen.ToImagePx(new Vector2D(screenM.X, screenM.Y)));
         }
 
         public override void UpdateSource()
@@ -77,10 +83,17 @@ namespace LaserTracking.Unity
                 Fire(new Vector2(Input.mousePosition.x, Input.mousePosition.y));
 #endif
             double nowS = Time.timeAsDouble;
-            if (_frames == null || !(nowS > _lastS))
+            // While the detector is late its clicks wait: none is lost.
+            if (_frames == null || !(nowS > _lastS) || !_frames.HasRoom)
                 return;
             _lastS = nowS;
-            Draw(_next!, (long)(nowS * 1e6), nowS <= _dotUntilS);
+            if (++_phase > FlashFrames + DarkFrames && _clicksPx.Count > 0)
+            {
+                _dotPx = _clicksPx.Dequeue();
+                _phase = 1;
+            }
+
+            Draw(_next!, (long)(nowS * 1e6), _phase <= FlashFrames);
             _frames.Push(_next!);
         }
 

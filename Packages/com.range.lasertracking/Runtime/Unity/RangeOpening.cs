@@ -51,7 +51,7 @@ namespace LaserTracking.Unity
                 pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
                 return new FramePump(pipeline, source, handSource, handClockOffsetUs, _asset, handModel, events);
             }
-            catch (InputException)
+            catch
             {
                 _asset.ReleaseSource();
                 source?.Dispose();

@@ -26,6 +26,10 @@ namespace LaserTracking.Unity
         [Tooltip("File in Unity's persistent data folder that a CalibrationScreen writes; once it is there it counts and not the asset. Empty: none.")]
         private string _calibrationFile = "";
 
+        [SerializeField]
+        [Tooltip("Stands before the main camera, wherever that goes, so that it fills the height of its view: for a desk without a real screen.")]
+        private bool _fillsCamera;
+
         private RangeCalibration? _inUse;
 
         /// <summary>Width and height of the projected picture in metres.</summary>
@@ -73,7 +77,14 @@ namespace LaserTracking.Unity
         }
 
         /// <summary>Where the surface stands in the world; its scale plays no part.</summary>
-        public Pose Pose => transform.WorldPose();
+        public Pose Pose
+        {
+            get
+            {
+                Camera? camera = _fillsCamera ? Camera.main : null;
+                return camera == null ? transform.WorldPose() : BeforeCamera(camera);
+            }
+        }
 
         /// <summary>A point of screen space (origin top-left, x right, y down, z into the picture; m) in the world.</summary>
         public Vector3D ScreenToWorld(Vector3D screenM) => Pose.TransformPoint(Axes.ScreenToSurface(screenM, SizeM));
@@ -89,6 +100,13 @@ namespace LaserTracking.Unity
             Gizmos.DrawLine(topRight, bottomRight);
             Gizmos.DrawLine(bottomRight, bottomLeft);
             Gizmos.DrawLine(bottomLeft, topLeft);
+        }
+
+        private Pose BeforeCamera(Camera camera)
+        {
+            Pose eye = camera.transform.WorldPose();
+            double distanceM = _sizeM.y / 2 / Math.Tan(camera.fieldOfView * Math.PI / 360);
+            return new Pose(eye.TransformPoint(new Vector3D(0, 0, distanceM)), eye.Rotation);
         }
 
         private Vector3 Corner(double xM, double yM) => ScreenToWorld(new Vector3D(xM, yM, 0)).ToUnity();

@@ -10,6 +10,13 @@ namespace UnityEngine.UIElements
         [SerializeField]
         private float m_SortingOrder;
 
+        // Of a document built in code: none. The names are those that scene files spell.
+        [SerializeField]
+        private UIDocument m_ParentUI = null;
+
+        [SerializeField]
+        private Object sourceAsset = null;
+
         private VisualElement _root;
 
         private UIDocument()
@@ -30,7 +37,7 @@ namespace UnityEngine.UIElements
 
         public VisualElement rootVisualElement => _root;
 
-        private void OnEnable() => _root = m_PanelSettings == null ? null : new VisualElement();
+        private void OnEnable() => _root = m_ParentUI != null || sourceAsset != null || m_PanelSettings == null ? null : new VisualElement();
 
         private void OnDisable() => _root = null;
     }

@@ -44,6 +44,8 @@ namespace LaserTracking.Host.Scenes
             Vector2D size = surface.Vector2("_sizeM");
             if (!(size.X > 0 && size.Y > 0))
                 throw surface.Problem("field _sizeM is not above zero in both directions");
+            if (surface.Has("_fillsCamera") && surface.Flag("_fillsCamera"))
+                throw surface.Problem("the screen follows the camera, which nobody moves here", "switch Fills Camera off and put the screen where the picture is");
             if (SceneObjectReader.MoverOf(screen) != null || SceneObjectReader.MoverOf(eye) != null)
                 throw range.Problem("the screen or the viewpoint moves", "remove TargetMotion from them and from what is above them");
             if (!(screen.Pose.InverseTransformPoint(eye.Pose.Position).Z < -1e-3))

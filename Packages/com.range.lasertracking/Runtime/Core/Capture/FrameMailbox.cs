@@ -38,6 +38,16 @@ namespace LaserTracking.Capture
             }
         }
 
+        /// <summary>The next frame put will cost none that waits.</summary>
+        public bool HasRoom
+        {
+            get
+            {
+                lock (_lock)
+                    return _count < _ring.Length;
+            }
+        }
+
         /// <summary>No frame will be put any more; some may still wait.</summary>
         public bool IsClosed
         {

@@ -21,6 +21,12 @@ namespace LaserTracking.Capture
         /// <summary>Always none.</summary>
         public IReadOnlyList<FrameProblem> Problems { get; } = Array.Empty<FrameProblem>();
 
+        /// <summary>The next frame pushed will cost none that waits: who can wait himself loses nothing.</summary>
+        public bool HasRoom => _mailbox.HasRoom;
+
+        /// <summary>Frames left out so far because they were not read in time.</summary>
+        public long Dropped => _mailbox.Dropped;
+
         /// <summary>Takes the frame's content and gives back an older one to fill next; from one thread at a time.</summary>
         public void Push(Frame filled) => _mailbox.Put(filled);
 
