@@ -1,39 +1,27 @@
-using LaserTracking.Unity;
 using UnityEditor;
 using UnityEngine;
 
 namespace LaserTracking.Editor
 {
-    /// <summary>GameObject > Laser Tracking > Laser Range: a range and its screen, wired to each other, three metres before the main camera.</summary>
+    /// <summary>GameObject > Laser Tracking > Laser Range: the package's prefab, which plays with the mouse until it is given a camera.</summary>
     public static class RangeMenu
     {
-        private const float ScreenDistanceM = 3;
+        internal const string Prefab = "Packages/com.range.lasertracking/Prefabs/LaserRange.prefab";
 
         [MenuItem("GameObject/Laser Tracking/Laser Range", false, 10)]
         public static void AddRange()
         {
-            var screen = new GameObject("Screen");
-            ScreenSurface surface = screen.AddComponent<ScreenSurface>();
-            Camera camera = Camera.main;
-            if (camera != null)
-                screen.transform.SetPositionAndRotation(camera.transform.TransformPoint(new Vector3(0, 0, ScreenDistanceM)), camera.transform.rotation);
-            var owner = new GameObject("Laser Range");
-            LaserRange range = owner.AddComponent<LaserRange>();
-            owner.AddComponent<ShotVisuals>();
-            using (var serialized = new SerializedObject(range))
+            GameObject prefab = AssetDatabase.LoadAssetAtPath<GameObject>(Prefab);
+            if (prefab == null)
             {
-                Set(serialized, "_screen", surface);
-                if (camera != null)
-                    Set(serialized, "_viewpoint", camera.transform);
-                serialized.ApplyModifiedPropertiesWithoutUndo();
+                Debug.LogError(Prefab + " is missing: install the package anew");
+                return;
             }
 
-            Undo.RegisterCreatedObjectUndo(screen, "Add Laser Range");
-            Undo.RegisterCreatedObjectUndo(owner, "Add Laser Range");
-            Selection.activeGameObject = owner;
+            var range = (GameObject)PrefabUtility.InstantiatePrefab(prefab);
+            Undo.RegisterCreatedObjectUndo(range, "Add Laser Range");
+            Selection.activeGameObject = range;
             SetupWindow.Open();
         }
-
-        private static void Set(SerializedObject serialized, string field, Object value) => serialized.FindProperty(field).objectReferenceValue = value;
     }
 }

@@ -63,6 +63,7 @@ namespace LaserTracking.Editor
         {
             HasViewpoint = range.Viewpoint != null;
             Source = range.Source == null ? "" : range.Source.name;
+            bool bringsCalibration = range.Source is SimulationSource || range.Source is MouseSource;
             HasHandCamera = range.HandSource != null || range.Source is SimulationSource;
             ScreenSurface? screen = range.Screen;
             HasScreen = screen != null;
@@ -71,7 +72,7 @@ namespace LaserTracking.Editor
             HasScreenSize = screen.HasSize;
             try
             {
-                HasCalibration = screen.ReadCalibration() != null || range.Source is SimulationSource;
+                HasCalibration = screen.ReadCalibration() != null || bringsCalibration;
             }
             catch (InputException problem)
             {

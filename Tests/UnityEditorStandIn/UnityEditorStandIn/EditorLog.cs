@@ -10,6 +10,9 @@ namespace UnityEditorStandIn
     {
         public static string FolderChosen { get; set; } = "";
 
+        /// <summary>By path.</summary>
+        public static Dictionary<string, Object> Assets { get; } = new Dictionary<string, Object>();
+
         public static List<BuildPlayerOptions> Built { get; } = new List<BuildPlayerOptions>();
 
         public static List<string> Drawn { get; } = new List<string>();
@@ -21,6 +24,7 @@ namespace UnityEditorStandIn
         public static void Reset()
         {
             FolderChosen = "";
+            Assets.Clear();
             Built.Clear();
             Drawn.Clear();
             Undoable.Clear();

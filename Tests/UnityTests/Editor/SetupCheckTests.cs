@@ -67,22 +67,28 @@ namespace LaserTracking.Unity
         }
 
         [Test]
-        public void Menu_AddsARangeThatNeedsOnlyASource()
+        public void Menu_AddsThePrefab_ThatNeedsOnlyACameraAndTargets()
         {
-            var eye = new GameObject("eye") { tag = "MainCamera" };
-            eye.AddComponent<Camera>();
-            eye.transform.position = new Vector3(1, 2, 3);
+            SceneLoader.Load(System.IO.Path.Combine(TestFiles.Repository, RangeMenu.Prefab));
+            EditorLog.Assets[RangeMenu.Prefab] = PlayerLoop.All<LaserRange>().Single().gameObject;
             RangeMenu.AddRange();
             var range = Selection.activeGameObject.GetComponent<LaserRange>();
-            Assert.That(range.Screen!.transform.position, Is.EqualTo(new Vector3(1, 2, 6)));
-            Assert.That(range.Viewpoint, Is.EqualTo(eye.transform));
-            Assert.That(EditorLog.Undoable, Has.Count.EqualTo(2));
-            Assert.That(Next(SetupFacts.Of(SceneManager.GetActiveScene())), Does.StartWith("camera 0: "));
+            Assert.That(range.Screen, Is.Not.Null);
+            Assert.That(EditorLog.Undoable, Has.Count.EqualTo(1));
+            Assert.That(Next(SetupFacts.Of(SceneManager.GetActiveScene())), Does.StartWith("viewpoint: "), "the empty scene has no camera");
+            new GameObject("eye") { tag = "MainCamera" }.AddComponent<Camera>();
             SetupWindow window = EditorLog.Windows.OfType<SetupWindow>().Single();
             Call(window, "OnEnable");
             Call(window, "OnGUI");
-            Assert.That(EditorLog.Drawn[0], Does.StartWith("Warning: Next: camera 0: "));
-            Assert.That(EditorLog.Drawn.Count(line => line.StartsWith("[x]")), Is.GreaterThanOrEqualTo(3));
+            Assert.That(EditorLog.Drawn[0], Does.StartWith("Warning: Next: targets: nothing can be hit"));
+            Assert.That(EditorLog.Drawn.Count(line => line.StartsWith("[x]")), Is.GreaterThanOrEqualTo(5));
+        }
+
+        [Test]
+        public void Menu_WithoutThePrefab_SaysSo()
+        {
+            RangeMenu.AddRange();
+            Assert.That(ConsoleLog.Entries.Single().Message, Does.Contain("install the package anew"));
         }
 
         [Test]

@@ -13,9 +13,9 @@ namespace LaserTracking.Repository
     {
         private static readonly UnityCompiler Compiler = new UnityCompiler();
 
-        /// <summary>Symbols that wake an assembly up; those of tests are Unity's own.</summary>
+        /// <summary>Symbols that wake an assembly up, those of tests are Unity's own; and those that a project's settings switch.</summary>
         private static readonly string[] Optional = AssemblyDefinition.All.SelectMany(assembly => assembly.DefineConstraints).Select(symbol => symbol.TrimStart('!'))
-            .Concat(AssemblyDefinition.All.SelectMany(assembly => assembly.VersionDefines.Values)).Where(symbol => symbol != "UNITY_INCLUDE_TESTS").Distinct().OrderBy(symbol => symbol, StringComparer.Ordinal).ToArray();
+            .Concat(AssemblyDefinition.All.SelectMany(assembly => assembly.VersionDefines.Values)).Where(symbol => symbol != "UNITY_INCLUDE_TESTS").Concat(UnitySymbols.OfTheProject).Distinct().OrderBy(symbol => symbol, StringComparer.Ordinal).ToArray();
 
         [Test]
         public void Assemblies_EveryCombination_CompilesWithoutAWarning([ValueSource(typeof(UnitySymbols), nameof(UnitySymbols.Versions))] string version, [Values] bool isEditor)

@@ -24,6 +24,9 @@ namespace LaserTracking.Repository
 
         private static readonly string[] OfAPlayer = { "ENABLE_IL2CPP" };
 
+        /// <summary>Symbols that a project's settings switch: both ways must compile.</summary>
+        public static readonly string[] OfTheProject = { "ENABLE_LEGACY_INPUT_MANAGER" };
+
         /// <summary>Everything that is defined by some version, in the editor or a player.</summary>
         public static IEnumerable<string> Known => Versions.SelectMany(version => For(version, true).Concat(For(version, false))).Distinct();
 
