@@ -51,6 +51,8 @@ namespace UnityStandIn
             World.Clear();
             ConsoleLog.Clear();
             JobWorkers.Reset();
+            Desk.Reset();
+            WebCams.Reset();
             Time.frameCount = 0;
             Time.timeAsDouble = Time.fixedTimeAsDouble = 0;
             Time.deltaTime = 0;

@@ -47,5 +47,8 @@ namespace LaserTracking.Session
 
         /// <summary>Camera 1 falls silent or comes back. Value: seconds without a picture of it.</summary>
         HandCamera = 14,
+
+        /// <summary>Something is missing or set wrongly, in the scene or at the camera, or is well again. Value: 0.</summary>
+        SetUp = 15,
     }
 }
