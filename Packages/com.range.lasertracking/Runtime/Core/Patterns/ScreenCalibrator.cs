@@ -53,9 +53,9 @@ namespace LaserTracking.Patterns
             for (int i = 0; hasBoth && i < view.Second.Length; i++)
                 Take(view.Second[i], true);
 
-            LensCamera? lens = _lens;
             string problem = string.Empty;
-            ScreenGeometry? screen = FitCount() < LeastPoints ? null : Fit(view, ref lens, out problem);
+            bool isLensFound = false;
+            ScreenGeometry? screen = FitCount() < LeastPoints ? null : Fit(view, out isLensFound, out problem);
             var checks = new List<ScreenCheckPoint>();
             for (int i = 0; i < _points.Count && screen != null; i++)
             {
@@ -70,7 +70,7 @@ namespace LaserTracking.Patterns
             judge.Judge(FitCount(), problem);
             if (!hasBoth && board.Length > 0)
                 judge.Notes.Add("only one of the two boards was seen: a third of its points was held out to prove the rest");
-            return new ScreenCalibration(view, screen, _lens == null && lens != null, checks, regions, judge.Refusals, judge.Notes);
+            return new ScreenCalibration(view, screen, isLensFound, checks, regions, judge.Refusals, judge.Notes);
         }
 
         /// <summary>Every third point of every row, shifted from row to row, so that they lie between points of the fit.</summary>
@@ -105,8 +105,9 @@ namespace LaserTracking.Patterns
 
         private int FitCount() => _points.FindAll(p => !p.IsHeldOut && !p.IsLeftOut).Count;
 
-        private ScreenGeometry? Fit(ScreenPatternView view, ref LensCamera? lens, out string problem)
+        private ScreenGeometry? Fit(ScreenPatternView view, out bool isLensFound, out string problem)
         {
+            isLensFound = false;
             ScreenGeometry? screen = null;
             problem = string.Empty;
             for (int round = 0; round < 4; round++)
@@ -121,10 +122,14 @@ namespace LaserTracking.Patterns
                 }
 
                 Vector2D[] placesM = from.ToArray(), px = to.ToArray();
+                PlaneLens? found = null;
                 if (_lens == null)
-                    lens = PlaneLens.Find(placesM, px, view.ImageWidth, view.ImageHeight);
-                if (!ScreenGeometry.TryFit(px, placesM, _screenSizeM, lens, ExpectedSigmaPx, out screen, out problem))
+                    PlaneLens.TryFind(placesM, px, view.ImageWidth, view.ImageHeight, ExpectedSigmaPx, out found);
+                isLensFound = found is { IsFound: true };
+                if (!ScreenGeometry.TryFit(px, placesM, _screenSizeM, found?.Camera ?? _lens, ExpectedSigmaPx, out screen, out problem))
                     return null;
+                if (found != null)
+                    screen = new ScreenGeometry(screen!.ImageToScreen, _screenSizeM, found.Camera, found.Uncertainty, isFocalLengthKnown: false);
                 if (!LeaveOut(screen!))
                     return screen;
             }
