@@ -15,9 +15,12 @@ namespace LaserTracking.Host.Sources
         {
             if (!name.EndsWith(".json", StringComparison.OrdinalIgnoreCase))
                 return new PrefetchingFrameSource(FrameSources.OpenScreenCamera(name));
-            SimulationScenario scenario = SimulationScenarioFile.Read(name);
-            var range = new SimulatedRange(scenario, UnitySceneReader.Read(Path.Combine(RepositoryFolder.Find(), "Assets", "Scenes", "Range.unity")));
-            return new PrefetchingFrameSource(range.CreateColorSource());
+            return new PrefetchingFrameSource(Simulate(name).CreateColorSource());
         }
+
+        /// <summary>A scenario in the shipped scene.</summary>
+        /// <exception cref="InputException">It cannot be read, or asks for what the scene does not have.</exception>
+        public static SimulatedRange Simulate(string name) =>
+            new(SimulationScenarioFile.Read(name), UnitySceneReader.Read(Path.Combine(RepositoryFolder.Find(), "Assets", "Scenes", "Range.unity")));
     }
 }
