@@ -40,7 +40,15 @@ namespace LaserTracking.Geometry
         {
             try
             {
-                return JObject.Parse(json);
+                using var reader = new JsonTextReader(new StringReader(json));
+                JToken root = JToken.Load(reader, new JsonLoadSettings());
+                bool isAll = true;
+                while (reader.Read())
+                    isAll &= reader.TokenType == JsonToken.Comment;
+                if (root is JObject found && isAll)
+                    return found;
+                string what = root.Type == JTokenType.Array ? "a list" : root is JObject ? "an object and more behind it" : "a single value";
+                throw new InputException(name, "this is JSON, but " + what + " and not one object with named fields", "write it as {\"field\": …}, as the help of the command says");
             }
             catch (JsonReaderException problem)
             {

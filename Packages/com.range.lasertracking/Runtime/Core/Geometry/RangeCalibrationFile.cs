@@ -9,10 +9,13 @@ namespace LaserTracking.Geometry
     /// <summary>
     /// Reads and writes calibrations of kind "screen": {"v":1,"kind":"screen","image_size":[w,h],"H":[[…]],"screen_m":[w,h]}. Optional:
     /// "K" and "dist", camera 0 with its lens (then H maps pixels free of distortion); "focal_known", false where K is nominal;
-    /// "corners_cov_px2", 8×8, how far the corners may be off; "corners_lens_cov", 10×10, the same jointly with k1 and k2; "hand_camera":{"image_size","K","R","T"} (T in mm, X_screen = R X_camera + T). Unknown fields are ignored.
+    /// "proof", "none" where no held-out point has checked it; "corners_cov_px2", 8×8, how far the corners may be off; "corners_lens_cov", 10×10, the same jointly with k1 and k2; "hand_camera":{"image_size","K","R","T"} (T in mm, X_screen = R X_camera + T). Unknown fields are ignored.
     /// </summary>
     public static class RangeCalibrationFile
     {
+        /// <summary>What the field "proof" says of a calibration that no held-out point has checked.</summary>
+        public const string NoProof = "none";
+
         private const string Remedy = CalibrationJson.Remedy;
 
         /// <exception cref="InputException">Missing, not JSON, of another kind or a newer version, or a field that is absent, not finite or impossible.</exception>
@@ -59,6 +62,8 @@ namespace LaserTracking.Geometry
                     root["corners_lens_cov"] = CalibrationJson.Rows(Corner(joint, joint.GetLength(0)), joint.GetLength(0));
             }
 
+            if (calibration.IsUnverified)
+                root["proof"] = NoProof;
             if (calibration.HandCamera is HandCamera hand)
             {
                 JObject content = LensCameraJson.Format(hand.Intrinsics);
@@ -109,7 +114,8 @@ namespace LaserTracking.Geometry
             // Files from before "focal_known" say of a nominal focal length that the lens was found.
             bool isNominal = isJoint || IsTrue(root["lens_found"]) || (root["focal_known"]?.Type == JTokenType.Boolean && !IsTrue(root["focal_known"]));
             screen = new ScreenGeometry(screen.ImageToScreen, screen.ScreenSizeM, camera, uncertainty, !isNominal);
-            return new RangeCalibration(screen, image[0], image[1], HandCamera(root["hand_camera"], name));
+            bool isUnverified = (root["proof"] as JValue)?.Value is string proof && proof == NoProof;
+            return new RangeCalibration(screen, image[0], image[1], HandCamera(root["hand_camera"], name), isUnverified);
         }
 
         private static bool IsTrue(JToken? token) => token?.Type == JTokenType.Boolean && (bool)token;
