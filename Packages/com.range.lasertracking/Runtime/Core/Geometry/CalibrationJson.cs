@@ -42,12 +42,15 @@ namespace LaserTracking.Geometry
             {
                 using var reader = new JsonTextReader(new StringReader(json));
                 JToken root = JToken.Load(reader, new JsonLoadSettings());
-                bool isAll = true;
+
+                // Whatever stands behind it is refused by the reader.
                 while (reader.Read())
-                    isAll &= reader.TokenType == JsonToken.Comment;
-                if (root is JObject found && isAll)
+                {
+                }
+
+                if (root is JObject found)
                     return found;
-                string what = root.Type == JTokenType.Array ? "a list" : root is JObject ? "an object and more behind it" : "a single value";
+                string what = root.Type == JTokenType.Array ? "a list" : "a single value";
                 throw new InputException(name, "this is JSON, but " + what + " and not one object with named fields", "write it as {\"field\": …}, as the help of the command says");
             }
             catch (JsonReaderException problem)
