@@ -45,8 +45,9 @@ namespace LaserTracking.Geometry
         /// <param name="height">The same for its height.</param>
         /// <param name="expectedSigmaPx">How well one coordinate is expected to be measured, above zero; see <see cref="HomographyFit"/>.</param>
         /// <param name="lens">Valid only when true is returned.</param>
+        /// <param name="commonSigmaPx">Error that neighbours share; see <see cref="HomographyFit"/>.</param>
         /// <returns>False with fewer than twelve points, or when they fix no homography.</returns>
-        public static bool TryFind(ReadOnlySpan<Vector2D> planePoints, ReadOnlySpan<Vector2D> imagePx, int width, int height, double expectedSigmaPx, out PlaneLens? lens)
+        public static bool TryFind(ReadOnlySpan<Vector2D> planePoints, ReadOnlySpan<Vector2D> imagePx, int width, int height, double expectedSigmaPx, out PlaneLens? lens, double commonSigmaPx = 0)
         {
             lens = null;
             if (planePoints.Length < LeastPoints || !TryFit(planePoints, imagePx, width, height, 0, out double[] best, out double[,] inverse, out double least))
@@ -64,6 +65,7 @@ namespace LaserTracking.Geometry
             }
 
             double variance = (least + PriorWeight * expectedSigmaPx * expectedSigmaPx / ((double)width * width)) / (freedom - taken + PriorWeight);
+            variance += HomographyFit.CommonVariance(commonSigmaPx / width, planePoints.Length);
             var covariance = new double[Parameters, Parameters];
             for (int i = 0; i < Parameters; i++)
             for (int k = 0; k < Parameters; k++)

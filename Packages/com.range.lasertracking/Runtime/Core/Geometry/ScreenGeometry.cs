@@ -84,7 +84,8 @@ namespace LaserTracking.Geometry
         /// <param name="expectedSigmaPx">How well one coordinate is expected to be measured, above zero; see <see cref="HomographyFit"/>.</param>
         /// <param name="screen">Valid only when true is returned.</param>
         /// <param name="reason">Why it was refused, one line; empty on success.</param>
-        public static bool TryFit(ReadOnlySpan<Vector2D> imagePx, ReadOnlySpan<Vector2D> screenM, Vector2D screenSizeM, LensCamera? camera, double expectedSigmaPx, out ScreenGeometry? screen, out string reason)
+        /// <param name="commonSigmaPx">Error that neighbours share; see <see cref="HomographyFit"/>.</param>
+        public static bool TryFit(ReadOnlySpan<Vector2D> imagePx, ReadOnlySpan<Vector2D> screenM, Vector2D screenSizeM, LensCamera? camera, double expectedSigmaPx, out ScreenGeometry? screen, out string reason, double commonSigmaPx = 0)
         {
             screen = null;
             Vector2D[] ideal = imagePx.ToArray();
@@ -103,7 +104,7 @@ namespace LaserTracking.Geometry
                 return false;
             }
 
-            if (!HomographyFit.TryFit(screenM, ideal, pixelByIdeal, expectedSigmaPx, out HomographyFit? fit, out reason))
+            if (!HomographyFit.TryFit(screenM, ideal, pixelByIdeal, expectedSigmaPx, out HomographyFit? fit, out reason, commonSigmaPx))
                 return false;
             screen = new ScreenGeometry(fit!.Homography.Inverse, screenSizeM, camera, fit.Uncertainty);
             return true;

@@ -16,6 +16,9 @@ namespace LaserTracking.Patterns
         /// <summary>Standard deviation of a measured coordinate before anything is known, px.</summary>
         private const double ExpectedSigmaPx = 0.1;
 
+        /// <summary>What blur and uneven light displace the points of one part of the picture by together, px: from simulated rooms 1 to 60 of the study.</summary>
+        private const double CommonSigmaPx = 0.01;
+
         /// <summary>A point further off than this many standard deviations and pixels does not belong to the plane.</summary>
         private const double LeftOutSigmas = 5, LeftOutPx = 1;
 
@@ -124,9 +127,9 @@ namespace LaserTracking.Patterns
                 Vector2D[] placesM = from.ToArray(), px = to.ToArray();
                 PlaneLens? found = null;
                 if (_lens == null)
-                    PlaneLens.TryFind(placesM, px, view.ImageWidth, view.ImageHeight, ExpectedSigmaPx, out found);
+                    PlaneLens.TryFind(placesM, px, view.ImageWidth, view.ImageHeight, ExpectedSigmaPx, out found, CommonSigmaPx);
                 isLensFound = found is { IsFound: true };
-                if (!ScreenGeometry.TryFit(px, placesM, _screenSizeM, found?.Camera ?? _lens, ExpectedSigmaPx, out screen, out problem))
+                if (!ScreenGeometry.TryFit(px, placesM, _screenSizeM, found?.Camera ?? _lens, ExpectedSigmaPx, out screen, out problem, CommonSigmaPx))
                     return null;
                 if (found != null)
                     screen = new ScreenGeometry(screen!.ImageToScreen, _screenSizeM, found.Camera, found.Uncertainty, isFocalLengthKnown: false);

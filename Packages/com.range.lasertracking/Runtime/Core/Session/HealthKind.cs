@@ -47,5 +47,8 @@ namespace LaserTracking.Session
 
         /// <summary>Camera 1 falls silent or comes back. Value: seconds without a picture of it.</summary>
         HandCamera = 14,
+
+        /// <summary>All of the picture moves, and whether the camera does cannot be told without a calibrated screen. Value: displacement, px.</summary>
+        MotionUnclear = 15,
     }
 }
