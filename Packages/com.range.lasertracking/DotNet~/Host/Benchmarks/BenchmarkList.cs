@@ -44,6 +44,7 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("calibrate-stereo", "13 pairs of 48 corners: both cameras and how they stand to each other", StereoBenchmark.Prepare),
             new Benchmark("decode-720p-mjpg", "one 1280×720 4:2:2 JPEG to YUY2", Decode),
             new Benchmark("board-1080p", "1920×1080 grey picture in, 9×6 corners of a board out; clutter, tilt, lens, blur, noise", BoardBenchmark.Prepare),
+            new Benchmark("screen-1080p", "8 frames of 1920×1080 of the screen's pattern in, its calibration with lens and proof out", ScreenPatternBenchmark.Prepare),
             new Benchmark("end-to-end-720p", "1280×720 NV12 frame in, scored hit and event line out; 2 shooters, shots all the time", EndToEnd),
         };
 

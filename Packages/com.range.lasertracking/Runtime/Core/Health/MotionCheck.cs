@@ -27,7 +27,7 @@ namespace LaserTracking.Health
         /// <summary>After the whole view was seen to move on its own, a step is trusted again when it has rested for so long.</summary>
         private const long ContentUs = 10_000_000;
 
-        private const double StableBins = 0.3;
+        private const double StableBins = 0.3, RestingShare = 0.1;
 
         /// <summary>How much of the least displacement must be added to one that was said to be said again.</summary>
         private const double AgainFactor = 2;
@@ -100,7 +100,9 @@ namespace LaserTracking.Health
             _unanswered = 0;
             _stable = (shift - _last).Length <= StableBins ? _stable + 1 : 0;
             _last = shift;
-            _resting = (shift - _restingAt).Length <= StableBins ? _resting + 1 : 0;
+
+            // Blocks see a long way less exactly: what lies askew in them moves along the other axis, too.
+            _resting = (shift - _restingAt).Length <= Math.Max(StableBins, _byEdges ? 0 : RestingShare * shift.Length) ? _resting + 1 : 0;
             if (_resting == 0)
                 _restingAt = shift;
             long now = health.TimeUs;

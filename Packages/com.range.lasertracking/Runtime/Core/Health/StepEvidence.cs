@@ -13,7 +13,7 @@ namespace LaserTracking.Health
         private const double RestBins = 0.3;
         private const int LooksOfRest = 5;
 
-        /// <summary>A knock is over within this time, or two looks where those are further apart; most of the displacement lies in it.</summary>
+        /// <summary>A knock is over within this time, or two looks where those are further apart: the one in between is blurred by it; most of the displacement lies in it.</summary>
         private const long KnockUs = 450_000;
         private const double KnockShare = 0.75;
 
@@ -27,6 +27,8 @@ namespace LaserTracking.Health
         private int _count;
         private int _rested;
         private long _leftUs;
+        private long _lastUs;
+        private long _lookUs = long.MaxValue / 4;
         private bool _wasResting;
 
         /// <summary>Nothing is known of what was before: the next look compares with a new picture.</summary>
@@ -36,6 +38,9 @@ namespace LaserTracking.Health
         /// <param name="shift">Against the picture that all looks compare with, bins.</param>
         public void Add(long timeUs, Vector2D shift)
         {
+            if (timeUs > _lastUs && _count > 0)
+                _lookUs = Math.Min(_lookUs, timeUs - _lastUs);
+            _lastUs = timeUs;
             if (shift.Length <= RestBins)
             {
                 _rested++;
@@ -68,9 +73,9 @@ namespace LaserTracking.Health
             {
                 if (!_wasResting || _count < 2)
                     return false;
-                double whole = _shifts[_count - 1].Length, most = 0;
+                double within = Math.Max(KnockUs, 2.2 * _lookUs), whole = _shifts[_count - 1].Length, most = 0;
                 for (int i = 1; i < _count; i++)
-                for (int k = i - 1; k >= 0 && (i - k <= 2 || _times[i] - _times[k] <= KnockUs); k--)
+                for (int k = i - 1; k >= 0 && _times[i] - _times[k] <= within; k--)
                     most = Math.Max(most, Vector2D.Dot(_shifts[i] - _shifts[k], _shifts[_count - 1]) / whole);
                 return most >= KnockShare * whole;
             }
