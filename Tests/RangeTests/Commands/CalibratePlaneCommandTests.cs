@@ -66,12 +66,12 @@ namespace LaserTracking.Commands
         {
             using var folder = new TemporaryFolder();
             string scenario = folder.File("room.json"), file = folder.File("screen.json");
-            var room = new SimulationScenario { Name = "plane", Seed = 3, DurationS = 0.54 };
-            (room.ColorCamera.Width, room.ColorCamera.Height, room.ColorCamera.FieldOfViewDeg) = (1280, 720, 80);
+            var room = new SimulationScenario { Name = "plane", Seed = 3, DurationS = 0.27 };
+            (room.ColorCamera.Width, room.ColorCamera.Height, room.ColorCamera.FieldOfViewDeg) = (640, 360, 80);
             (room.ColorCamera.PositionM, room.ColorCamera.LookAtM) = (new Vector3D(2.4, 0.6, -2.8), new Vector2D(1.87, 1.13));
             (room.ColorCamera.LensK1, room.ColorCamera.LensK2) = (-0.1, 0.02);
             (room.DepthCamera.PositionM, room.DepthCamera.LookAtM) = (new Vector3D(2.43, 0.6, -2.8), new Vector3D(1.87, 1.13, 0));
-            (room.Projector.Content, room.Projector.PatternHoldMs) = (ProjectedContent.Calibration, 133.4);
+            (room.Projector.Content, room.Projector.PatternHoldMs) = (ProjectedContent.Calibration, 66.7);
             File.WriteAllText(scenario, SimulationScenarioFile.ToJson(room));
             Run(0, "calibrate", "screen", "--image", scenario, "--size", "3.73x2.26", "--out", file);
             CommandLine.AssertRefused("does not show the focal length", "calibrate", "plane", file);

@@ -106,6 +106,15 @@ namespace LaserTracking.Commands
             CommandLine.AssertRefused(words, "calibrate", "screen", "--size", "3x2", "--points", folder.File("points.json"), "--out", folder.File("screen.json"));
         }
 
+        [TestCase("some.jpg")]
+        [TestCase("some.png")]
+        public void Image_ThatIsAText_IsCalledOne(string name)
+        {
+            using var folder = new TemporaryFolder();
+            File.WriteAllText(folder.File(name), "no picture at all\n");
+            CommandLine.AssertRefused("this is a text, not a picture", "calibrate", "screen", "--size", "3x2", "--image", folder.File(name), "--out", folder.File("screen.json"));
+        }
+
         private static Vector2D[] Grid(int columns, int rows) =>
             Enumerable.Range(0, columns * rows).Select(i => new Vector2D((0.1 + 0.8 * (i % columns) / (columns - 1)) * 3, (0.1 + 0.8 * (i / columns) / (rows - 1)) * 2)).ToArray();
 

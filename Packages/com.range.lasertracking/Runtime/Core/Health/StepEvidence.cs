@@ -15,7 +15,7 @@ namespace LaserTracking.Health
 
         /// <summary>A knock is over within this time, or two looks where those are further apart: the one in between is blurred by it; most of the displacement lies in it.</summary>
         private const long KnockUs = 450_000;
-        private const double KnockShare = 0.75;
+        private const double KnockShare = 0.85;
 
         /// <summary>Motion that has gone on for so long is no knock.</summary>
         private const long ContinuingUs = 1_600_000;
