@@ -22,6 +22,9 @@ namespace LaserTracking.Health
 
         public int BinPx => _now.BinPx;
 
+        /// <summary>Along one axis the blocks of the last look moved by different amounts: what it says of that axis, nought, is not known.</summary>
+        public bool IsDisputed { get; private set; }
+
         /// <summary>Reads this frame's share of the blocks; false when the picture is too small.</summary>
         public bool Look(Image image, int frame, int frames, bool hasReference)
         {
@@ -47,6 +50,7 @@ namespace LaserTracking.Health
             bool isX = TryAgree(0, out double x), isY = TryAgree(1, out double y);
             shift = new Vector2D(isX ? x : 0, isY ? y : 0);
             largest = shift.Length;
+            IsDisputed = (!isX && _counts[0] >= LeastLists) || (!isY && _counts[1] >= LeastLists);
             return isX || isY;
         }
 

@@ -106,7 +106,9 @@ namespace LaserTracking.Health
             if (_resting == 0)
                 _restingAt = shift;
             long now = health.TimeUs;
-            if (!_byEdges)
+
+            // A look in the middle of a motion is no rest.
+            if (!_byEdges && !(_blocks.IsDisputed && shift.Length < _settings.ShiftPx))
                 _evidence.Add(now, shift);
             double least = _settings.ShiftPx * (_said.Equals(default) ? 1 : AgainFactor);
             if (Math.Max(largest - _said.Length, (shift - _said).Length) < least)
