@@ -43,6 +43,41 @@ namespace LaserTracking.Commands
         }
 
         [Test]
+        public void Board_PicturesOfOneNameFromTwoFolders_AreAllDrawnWithThoseLeftOut()
+        {
+            using var folder = new TemporaryFolder();
+            string pictures = folder.File("pictures"), result = folder.File("camera.json");
+            foreach (string part in new[] { "a", "b" })
+            {
+                Directory.CreateDirectory(folder.File(part));
+                for (int i = 0; i < 3; i++)
+                    Paint(Path.Combine(folder.File(part), $"view{i}.jpg"), 320, 240, part == "a" ? i : i + 3);
+            }
+
+            // A picture without a board.
+            Paint(Path.Combine(folder.File("b"), "none.jpg"), 320, 240, 200);
+            (int exitCode, _, string error) = CommandLine.Run("calibrate", "board", "--images", folder.File("a"), folder.File("b"), "--board", "7x5", "--square", "30", "--out", result, "--model", "radial2", "--pictures", pictures);
+            Assert.That(exitCode, Is.EqualTo(ExitCodes.Done), error);
+            Assert.That(Directory.GetFiles(pictures).Select(Path.GetFileName), Is.EquivalentTo(new[] { "a-view0.png", "a-view1.png", "a-view2.png", "b-view0.png", "b-view1.png", "b-view2.png", "b-none.png" }));
+            Assert.That(error, Does.Contain("b/none.jpg: left out"));
+        }
+
+        [Test]
+        public void Board_OneViewWithACornerOutsideThePicture_GoesOnWithoutIt()
+        {
+            using var folder = new TemporaryFolder();
+            string corners = Simulate(folder), result = folder.File("camera.json");
+            JObject root = JObject.Parse(File.ReadAllText(corners));
+            root["pairs"]![2]!["left_px"]![5] = new JArray(99999, 3);
+            File.WriteAllText(corners, root.ToString());
+            (int exitCode, _, string error) = CommandLine.Run("calibrate", "board", "--corners", corners, "--out", result, "--model", "radial2", "--pictures", folder.File("pictures"));
+            Assert.That(exitCode, Is.EqualTo(ExitCodes.Done), error);
+            Assert.That(error, Does.Contain("left out: point 6 lies at 99999,3, outside the image"));
+            Assert.That(((JArray)JObject.Parse(File.ReadAllText(result))["views"]!).Count, Is.EqualTo(7));
+            Assert.That(Directory.GetFiles(folder.File("pictures")), Has.Length.EqualTo(8));
+        }
+
+        [Test]
         public void Board_Pictures_FindsItsOwnBoards()
         {
             using var folder = new TemporaryFolder();

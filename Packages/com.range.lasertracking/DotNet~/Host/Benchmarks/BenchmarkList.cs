@@ -48,6 +48,7 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("crop-screen-1080p", "the screen's part cut out of a 1920×1080 BGRA frame: what recording costs the capture thread", () => RecordingBenchmarks.Screen(false)),
             new Benchmark("record-screen-1080p", "the same and laid out and summed", () => RecordingBenchmarks.Screen(true)),
             new Benchmark("board-1080p", "1920×1080 grey picture in, 9×6 corners of a board out; clutter, tilt, lens, blur, noise", BoardBenchmark.Prepare),
+            new Benchmark("screen-1080p", "8 frames of 1920×1080 of the screen's pattern in, its calibration with lens and proof out", ScreenPatternBenchmark.Prepare),
             new Benchmark("end-to-end-720p", "1280×720 NV12 frame in, scored hit and event line out; 2 shooters, shots all the time", EndToEnd),
         };
 

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using System.Linq;
 using LaserTracking.Calibration;
 using LaserTracking.Geometry;
@@ -36,7 +35,7 @@ namespace LaserTracking.Host.Calibration
             {
                 progress.Show(FormattableString.Invariant($"looking for the board: {i + 1} of {files.Count} …"));
                 Image picture = reader.Read(files[i]);
-                seen ??= new SeenBoards(files.Select(file => Path.GetFileName(file)).ToArray(), files.ToArray(), picture.Width, picture.Height);
+                seen ??= new SeenBoards(UniqueNames.Of(files), files.ToArray(), picture.Width, picture.Height);
                 if (picture.Width != seen.Width || picture.Height != seen.Height)
                     throw new InputException(files[i], $"is {picture.Width}×{picture.Height}, {seen.Names[0]} is {seen.Width}×{seen.Height}", "use pictures of one camera in one mode");
                 var corners = new Vector2D[board.Size.Count];

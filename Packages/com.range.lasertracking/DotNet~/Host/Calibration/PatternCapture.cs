@@ -24,6 +24,8 @@ namespace LaserTracking.Host.Calibration
             foreach (string input in inputs)
             {
                 int before = frames;
+                if (ImageFolder.IsImage(input) && ImageFileHeader.IsText(input))
+                    throw new InputException(input, "this is a text, not a picture, whatever its name says", "name what the camera saw of the pattern");
                 using IFrameSource source = CameraInput.Open(input);
                 while (frames < MostFrames && source.TryRead(frame))
                 {

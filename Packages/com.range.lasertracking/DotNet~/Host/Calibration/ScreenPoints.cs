@@ -29,8 +29,8 @@ namespace LaserTracking.Host.Calibration
             return new ScreenPoints(image, screen, verifyImage, verifyScreen, size);
         }
 
-        /// <summary>All points as those to check with.</summary>
-        public ScreenPoints AsVerify() => this with { VerifyImagePx = ImagePx, VerifyScreenM = ScreenM };
+        /// <summary>All points as those to check with, none as those of a fit.</summary>
+        public ScreenPoints AsVerify() => this with { ImagePx = [], ScreenM = [], VerifyImagePx = ImagePx, VerifyScreenM = ScreenM };
 
         /// <summary>Four corners "x,y" of the image, top-left first, clockwise.</summary>
         public static ScreenPoints FromCorners(string[] corners, Vector2D sizeM)

@@ -19,6 +19,7 @@ namespace LaserTracking.Host.Calibration
                 ["notes"] = new JArray(found.Notes),
                 ["frames"] = found.View.Frames,
                 ["mirrored"] = found.View.IsMirrored,
+                ["proof"] = "held-out points of the pattern",
                 ["lens_found"] = found.IsLensFound,
                 ["fit_points"] = fitPx.Count,
                 ["left_out"] = found.Points.Count(p => p.IsLeftOut),
@@ -28,32 +29,6 @@ namespace LaserTracking.Host.Calibration
             };
             result["regions"] = new JArray(found.Regions.Select(Region));
             return result;
-        }
-
-        /// <param name="screen">The calibration.</param>
-        /// <param name="measured">Its points.</param>
-        /// <param name="withFit">The first list of points is what it was fitted to.</param>
-        public static JObject OfPoints(ScreenGeometry screen, ScreenPoints measured, bool withFit)
-        {
-            var result = new JObject();
-            if (withFit)
-            {
-                result["rms_px"] = Px(screen, measured.ImagePx, measured.ScreenM).Rms;
-                result["rms_mm"] = Mm(screen, measured.ImagePx, measured.ScreenM).Rms;
-            }
-
-            result["verify"] = Errors(Mm(screen, measured.VerifyImagePx, measured.VerifyScreenM), Px(screen, measured.VerifyImagePx, measured.VerifyScreenM));
-            return result;
-        }
-
-        /// <summary>Whether the check points, where there are some, keep to the limit; says so when they do not.</summary>
-        public static bool Passes(ScreenGeometry screen, ScreenPoints measured, double limitMm, string consequence)
-        {
-            PointErrors mm = Mm(screen, measured.VerifyImagePx, measured.VerifyScreenM);
-            if (mm.Count == 0 || mm.Max <= limitMm)
-                return true;
-            Console.Error.WriteLine(FormattableString.Invariant($"range: the held-out error reaches {mm.Max:F2} mm, over the limit of {limitMm} mm{consequence}"));
-            return false;
         }
 
         public static void Say(ScreenCalibration found)
@@ -100,14 +75,8 @@ namespace LaserTracking.Host.Calibration
             return result;
         }
 
-        private static JObject Errors(PointErrors mm, PointErrors px) => mm.Count == 0
+        public static JObject Errors(PointErrors mm, PointErrors px) => mm.Count == 0
             ? new JObject { ["n"] = 0 }
             : new JObject { ["n"] = mm.Count, ["median_mm"] = mm.Median, ["p95_mm"] = mm.P95, ["max_mm"] = mm.Max, ["median_px"] = px.Median, ["p95_px"] = px.P95, ["max_px"] = px.Max };
-
-        private static PointErrors Mm(ScreenGeometry screen, Vector2D[] imagePx, Vector2D[] screenM) =>
-            PointErrors.Of(imagePx.Zip(screenM, (px, m) => (screen.ToScreenM(px) - m).Length * 1000).ToArray());
-
-        private static PointErrors Px(ScreenGeometry screen, Vector2D[] imagePx, Vector2D[] screenM) =>
-            PointErrors.Of(imagePx.Zip(screenM, (px, m) => (screen.ToImagePx(m) - px).Length).ToArray());
     }
 }

@@ -7,7 +7,7 @@ namespace LaserTracking.Host.Calibration
     /// <summary>What one camera saw: a place for each picture, empty where the board was not found.</summary>
     internal sealed class SeenBoards
     {
-        /// <param name="names">Of the pictures, as messages name them.</param>
+        /// <param name="names">Of the pictures, as messages name them, each once.</param>
         /// <param name="paths">Of the pictures where there are some, else null each.</param>
         /// <param name="width">Of all pictures, px.</param>
         /// <param name="height">Of all pictures, px.</param>
@@ -33,9 +33,6 @@ namespace LaserTracking.Host.Calibration
 
         /// <summary>Why there is no view.</summary>
         public string[] Reasons { get; }
-
-        /// <summary>The path of the picture that a view is of; null without pictures.</summary>
-        public string? PathOf(BoardView view) => Paths[Names.ToList().IndexOf(view.Name)];
 
         /// <summary>Pictures without a board, with the reason.</summary>
         public IEnumerable<LeftOutView> Missing() => Enumerable.Range(0, Views.Length).Where(i => Views[i] == null).Select(i => new LeftOutView(Names[i], Reasons[i]));

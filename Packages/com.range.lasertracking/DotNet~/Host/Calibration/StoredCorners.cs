@@ -79,6 +79,7 @@ namespace LaserTracking.Host.Calibration
             string nameField = HasPairs ? side : "image", pointsField = HasPairs ? side + "_px" : "px", idsField = HasPairs ? side + "_ids" : "ids";
             string[] names = items.Select((item, i) => (string?)(item[nameField] as JValue) ?? FormattableString.Invariant($"{(HasPairs ? side + " " : string.Empty)}view {i + 1}")).ToArray();
             string[] paths = names.Select(name => Path.Combine(Path.GetDirectoryName(Path.GetFullPath(_path))!, Path.GetFileName(name))).ToArray();
+            names = UniqueNames.Of(names.Select(name => Path.GetFileName(name)));
             Vector2D[][] px = items.Select((item, i) => Points(item[pointsField], _path, pointsField + " of " + names[i])).ToArray();
             (int width, int height) = imageSize ?? SizeInFile(side) ?? SizeOfPictures(paths) ?? UsualSize(px, side);
             var seen = new SeenBoards(names, paths.Select(path => File.Exists(path) ? path : null).ToArray(), width, height);
@@ -88,12 +89,20 @@ namespace LaserTracking.Host.Calibration
                 if (board.Length != px[i].Length)
                     throw new InputException(_path, FormattableString.Invariant($"{names[i]} has {px[i].Length} corners, the board has {board.Length}") + Looks(px[i]), "give the board's own size with --board");
                 if (ScreenPoints.FirstOutside(px[i], width, height) is string outside)
-                    throw new InputException(_path, FormattableString.Invariant($"{names[i]}: {outside}"), "correct the corner, or give the pictures' own size with --image-size");
+                {
+                    // One bad view of twenty is no reason to go without the others; a wrong size of the pictures is.
+                    seen.Reasons[i] = outside;
+                    continue;
+                }
+
                 if (!BoardView.TryCreate(names[i], board, px[i], out BoardView? view, out string reason))
                     throw new InputException(_path, reason, Remedy);
                 seen.Views[i] = view;
             }
 
+            int outsiders = seen.Views.Count(view => view == null);
+            if (2 * outsiders > items.Length)
+                throw new InputException(_path, FormattableString.Invariant($"{outsiders} of {items.Length} views have corners outside the picture, the first one {seen.Missing().First().Name}: {seen.Missing().First().Reason}"), "correct the corners, or give the pictures' own size with --image-size");
             return seen;
         }
 

@@ -13,6 +13,7 @@ namespace LaserTracking.Host.Commands
             CalibratePlaneCommand.Create(),
             CalibrateBoardCommand.Create(),
             CalibrateStereoCommand.Create(),
+            CalibrateMappingCommand.Create(),
             CalibrateHistoryCommand.Create(),
             CalibrateSimulateCommand.Create(),
         };

@@ -82,6 +82,8 @@ namespace LaserTracking.Host.Commands
                 foreach (string? result in new[] { eventsName, parsed.GetValue(dots) })
                     ResultFile.CheckNotRead(result, name, handName, calibrationName, sceneName, renderedName);
                 RangeCalibration? geometry = calibrationName == null ? null : RangeCalibrationFile.Read(calibrationName);
+                if (geometry is { IsUnverified: true })
+                    Console.Error.WriteLine($"range: {calibrationName}: this calibration is unverified, its millimetres are a claim: fire check shots and run 'range calibrate verify'");
                 SceneModel? model = sceneName == null ? null : UnitySceneReader.Read(sceneName);
                 if (model != null && geometry == null)
                     throw new InputException(sceneName!, "a scene needs the screen's place in the image", "add --calibration FILE");

@@ -26,6 +26,28 @@ namespace LaserTracking.Host.Sources
             }
         }
 
+        /// <summary>It begins like a text, whatever its name says: no byte of its first ones is one that texts do not have.</summary>
+        public static bool IsText(string path)
+        {
+            try
+            {
+                using FileStream file = File.OpenRead(path);
+                Span<byte> head = stackalloc byte[512];
+                head = head[..file.ReadAtLeast(head, head.Length, throwOnEndOfStream: false)];
+                foreach (byte value in head)
+                {
+                    if (value < 32 && value is not ((byte)'\t' or (byte)'\n' or (byte)'\r'))
+                        return false;
+                }
+
+                return head.Length > 0 && !TryReadPortable(head, out _, out _) && head[0] != 0xFF;
+            }
+            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+            {
+                return false;
+            }
+        }
+
         private static bool TryReadPng(ReadOnlySpan<byte> head, out int width, out int height)
         {
             width = height = 0;

@@ -40,7 +40,18 @@ namespace LaserTracking.Geometry
         {
             try
             {
-                return JObject.Parse(json);
+                using var reader = new JsonTextReader(new StringReader(json));
+                JToken root = JToken.Load(reader, new JsonLoadSettings());
+
+                // Whatever stands behind it is refused by the reader.
+                while (reader.Read())
+                {
+                }
+
+                if (root is JObject found)
+                    return found;
+                string what = root.Type == JTokenType.Array ? "a list" : "a single value";
+                throw new InputException(name, "this is JSON, but " + what + " and not one object with named fields", "write it as {\"field\": …}, as the help of the command says");
             }
             catch (JsonReaderException problem)
             {

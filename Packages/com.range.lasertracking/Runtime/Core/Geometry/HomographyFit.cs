@@ -11,6 +11,9 @@ namespace LaserTracking.Geometry
         // How many coordinates' worth the expected standard deviation counts beside the residuals.
         private const double PriorWeight = 4;
 
+        // Parts of the picture, each displaced as a whole by an error of its own.
+        private const double Parts = 9;
+
         private HomographyFit(Homography homography, int count, double rms, double sigma, HomographyUncertainty uncertainty)
         {
             Homography = homography;
@@ -53,7 +56,8 @@ namespace LaserTracking.Geometry
         /// <param name="expectedSigma">As above, of what was measured; RMS and standard deviation are in its unit, too.</param>
         /// <param name="fit">Valid only when true is returned.</param>
         /// <param name="reason">Why it was refused, one line; empty on success.</param>
-        public static bool TryFit(ReadOnlySpan<Vector2D> from, ReadOnlySpan<Vector2D> to, ReadOnlySpan<double> measuredByTo, double expectedSigma, out HomographyFit? fit, out string reason)
+        /// <param name="commonSigma">Error of one coordinate that neighbours share, so that many points do not average it out; 0: none.</param>
+        public static bool TryFit(ReadOnlySpan<Vector2D> from, ReadOnlySpan<Vector2D> to, ReadOnlySpan<double> measuredByTo, double expectedSigma, out HomographyFit? fit, out string reason, double commonSigma = 0)
         {
             if (!(expectedSigma > 0) || double.IsInfinity(expectedSigma))
                 throw new ArgumentException("the expected standard deviation must be above zero", nameof(expectedSigma));
@@ -76,9 +80,10 @@ namespace LaserTracking.Geometry
             parameters.CopyTo(h, 0);
             squares /= toScale.Scale * toScale.Scale;
             double variance = (squares + PriorWeight * expectedSigma * expectedSigma) / (2 * count - 8 + PriorWeight);
+            double ofFit = variance + CommonVariance(commonSigma, count);
             for (int i = 0; i < 8; i++)
             for (int k = 0; k < 8; k++)
-                covariance[i, k] *= variance * toScale.Scale * toScale.Scale;
+                covariance[i, k] *= ofFit * toScale.Scale * toScale.Scale;
             fit = new HomographyFit(toScale.Matrix.Inverse * new Homography(h) * fromScale.Matrix, count, Math.Sqrt(squares / count), Math.Sqrt(variance),
                 new HomographyUncertainty(fromScale, toScale.Scale, h, covariance));
             return true;
@@ -106,6 +111,12 @@ namespace LaserTracking.Geometry
                 return true;
             }
         }
+
+        /// <summary>
+        /// What a common error of neighbours adds to a coordinate's variance in a fit that takes errors for independent: as if each of nine
+        /// parts of the picture were displaced on its own, a ninth of the points with it.
+        /// </summary>
+        internal static double CommonVariance(double sigma, int points) => sigma * sigma * Math.Max(1, points / Parts);
 
         private static Vector2D[] Apply(PointNormalization scale, ReadOnlySpan<Vector2D> points)
         {

@@ -4,7 +4,8 @@ namespace LaserTracking.Geometry
 {
     /// <summary>
     /// How far a fitted homography may be off, anywhere: the covariance of the points that it maps to, linearised. Held as the
-    /// covariance of its eight parameters on normalised points. Immutable; <see cref="At"/> allocates nothing.
+    /// covariance of its eight parameters on normalised points, jointly with that of the lens where the same points gave it.
+    /// Immutable; asking for a point allocates nothing.
     /// </summary>
     public sealed class HomographyUncertainty
     {
@@ -17,26 +18,31 @@ namespace LaserTracking.Geometry
         /// <param name="from">Of the points that are mapped.</param>
         /// <param name="toScale">Scale of the points that are mapped to.</param>
         /// <param name="normalized">The homography between normalised points, nine elements, the last one 1.</param>
-        /// <param name="covariance">8×8, of the others of these.</param>
+        /// <param name="covariance">8×8, of the others of these; larger: jointly with as many coefficients of the lens after them.</param>
         internal HomographyUncertainty(PointNormalization from, double toScale, double[] normalized, double[,] covariance)
         {
+            LensCoefficients = covariance.GetLength(0) - Parameters;
             _from = from;
             _toScale = toScale;
             _h = normalized;
             _covariance = covariance;
         }
 
+        /// <summary>Radial coefficients k1, k2 of the lens that were found together with the homography: 0 when it was given, else 2.</summary>
+        public int LensCoefficients { get; }
+
         /// <summary>From the joint covariance of where four points are mapped to: that says all there is to say about a homography.</summary>
         /// <param name="homography">The mapping.</param>
         /// <param name="anchors">Four points that are mapped, no three on a line.</param>
-        /// <param name="covariance">8×8, of x₀, y₀, x₁, y₁, …; symmetric, no negative eigenvalue.</param>
+        /// <param name="covariance">8×8, of x₀, y₀, x₁, y₁, …, or 10×10, with k1, k2 after them; symmetric, no negative eigenvalue.</param>
         /// <param name="uncertainty">Valid only when true is returned.</param>
         /// <param name="reason">Why it was refused, one line; empty on success.</param>
         public static bool TryFromAnchors(Homography homography, ReadOnlySpan<Vector2D> anchors, double[,] covariance, out HomographyUncertainty? uncertainty, out string reason)
         {
             uncertainty = null;
-            if (anchors.Length != 4 || covariance.GetLength(0) != Parameters || covariance.GetLength(1) != Parameters)
-                reason = "a homography's covariance is that of four points, 8×8";
+            int size = covariance.GetLength(0), coefficients = size - Parameters;
+            if (anchors.Length != 4 || (coefficients != 0 && coefficients != PlaneLens.Coefficients) || covariance.GetLength(1) != size)
+                reason = "a homography's covariance is that of four points, 8×8, or with two coefficients of the lens 10×10";
             else if (!IsCovariance(covariance))
                 reason = "this is no covariance: it must be finite and symmetric without negative eigenvalues";
             else
@@ -59,19 +65,28 @@ namespace LaserTracking.Geometry
                 return false;
             }
 
-            double[,] inverse = Multiply(Cholesky.Inverse(normal), Transpose(j));
+            double[,] inverse = Widened(Multiply(Cholesky.Inverse(normal), Transpose(j)), coefficients);
             uncertainty = new HomographyUncertainty(from, to.Scale, h, Multiply(Multiply(inverse, covariance), Transpose(inverse)));
             return true;
         }
 
         /// <summary>Covariance of the point that this one is mapped to, in the square of its unit.</summary>
-        public Covariance2D At(Vector2D from)
+        /// <param name="from">The point that is mapped.</param>
+        /// <param name="byLens">How the distance from a pixel's own point grows with the coefficients: 2×n, row by row. Empty: that of the mapping alone.</param>
+        public Covariance2D At(Vector2D from, ReadOnlySpan<double> byLens = default)
         {
-            Span<double> x = stackalloc double[Parameters], y = stackalloc double[Parameters];
+            int count = Parameters + byLens.Length / 2;
+            Span<double> x = stackalloc double[Parameters + PlaneLens.Coefficients], y = stackalloc double[Parameters + PlaneLens.Coefficients];
             Derive(from, x, y);
+            for (int i = Parameters; i < count; i++)
+            {
+                x[i] = byLens[i - Parameters];
+                y[i] = byLens[count - 2 * Parameters + i];
+            }
+
             double xx = 0, xy = 0, yy = 0;
-            for (int i = 0; i < Parameters; i++)
-            for (int k = 0; k < Parameters; k++)
+            for (int i = 0; i < count; i++)
+            for (int k = 0; k < count; k++)
             {
                 double c = _covariance[i, k];
                 xx += x[i] * c * x[k];
@@ -82,10 +97,10 @@ namespace LaserTracking.Geometry
             return new Covariance2D(xx, xy, yy);
         }
 
-        /// <summary>Joint covariance of the points that these are mapped to: 2n×2n, of x₀, y₀, x₁, y₁, ….</summary>
+        /// <summary>Joint covariance of the points that these are mapped to, of x₀, y₀, x₁, y₁, …, and of the lens's coefficients, if any, after them.</summary>
         public double[,] Of(ReadOnlySpan<Vector2D> from)
         {
-            double[,] j = Derivatives(from);
+            double[,] j = Widened(Derivatives(from), LensCoefficients);
             return Multiply(Multiply(j, _covariance), Transpose(j));
         }
 
@@ -143,7 +158,7 @@ namespace LaserTracking.Geometry
                 largest = Math.Max(largest, Math.Abs(value));
             }
 
-            for (int i = 0; i < Parameters; i++)
+            for (int i = 0; i < c.GetLength(0); i++)
             for (int k = 0; k < i; k++)
             {
                 if (Math.Abs(c[i, k] - c[k, i]) > 1e-6 * largest)
@@ -152,6 +167,19 @@ namespace LaserTracking.Geometry
 
             SymmetricEigen.Decompose(c, out double[] values, out _);
             return values[0] >= -1e-6 * largest;
+        }
+
+        /// <summary>With so many rows and columns more, in which what comes in goes out.</summary>
+        private static double[,] Widened(double[,] a, int more)
+        {
+            int rows = a.GetLength(0), columns = a.GetLength(1);
+            var result = new double[rows + more, columns + more];
+            for (int i = 0; i < rows; i++)
+            for (int k = 0; k < columns; k++)
+                result[i, k] = a[i, k];
+            for (int i = 0; i < more; i++)
+                result[rows + i, columns + i] = 1;
+            return result;
         }
 
         private static double[,] Multiply(double[,] a, double[,] b)

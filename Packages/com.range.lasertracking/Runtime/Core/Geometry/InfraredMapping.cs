@@ -28,6 +28,9 @@ namespace LaserTracking.Geometry
         /// <summary>How far off it may be, one standard deviation along each axis, colour px of a picture 1920 wide.</summary>
         public double SigmaPx { get; }
 
+        /// <summary>From infrared to colour: between rays normalised to z = 1 where the lenses are known, else between pixels.</summary>
+        public Homography RayHomography => _homography;
+
         /// <summary>Size of the pictures that it was calibrated for; true for any when it knows none.</summary>
         public bool IsFor(int infraredWidth, int infraredHeight, int colorWidth, int colorHeight) => IsOf(_infrared, infraredWidth, infraredHeight) && IsOf(_color, colorWidth, colorHeight);
 

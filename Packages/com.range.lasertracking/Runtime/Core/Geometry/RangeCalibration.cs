@@ -7,8 +7,10 @@ namespace LaserTracking.Geometry
         /// <param name="imageWidth">Width of the picture the screen was calibrated in.</param>
         /// <param name="imageHeight">Its height.</param>
         /// <param name="handCamera">Camera 1, or null.</param>
-        public RangeCalibration(ScreenGeometry screen, int imageWidth, int imageHeight, HandCamera? handCamera)
+        /// <param name="isUnverified">It is known that nothing has checked it.</param>
+        public RangeCalibration(ScreenGeometry screen, int imageWidth, int imageHeight, HandCamera? handCamera, bool isUnverified = false)
         {
+            IsUnverified = isUnverified;
             Screen = screen;
             ImageWidth = imageWidth;
             ImageHeight = imageHeight;
@@ -22,5 +24,8 @@ namespace LaserTracking.Geometry
         public int ImageHeight { get; }
 
         public HandCamera? HandCamera { get; }
+
+        /// <summary>Its file says that no held-out point has checked it: check shots are due.</summary>
+        public bool IsUnverified { get; }
     }
 }

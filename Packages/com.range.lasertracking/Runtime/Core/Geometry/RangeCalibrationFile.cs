@@ -8,11 +8,14 @@ namespace LaserTracking.Geometry
 {
     /// <summary>
     /// Reads and writes calibrations of kind "screen": {"v":1,"kind":"screen","image_size":[w,h],"H":[[…]],"screen_m":[w,h]}. Optional:
-    /// "K" and "dist", camera 0 with its lens (then H maps pixels free of distortion); "corners_cov_px2", 8×8, how far the corners may
-    /// be off; "hand_camera":{"image_size","K","R","T"} (T in mm, X_screen = R X_camera + T). Unknown fields are ignored.
+    /// "K" and "dist", camera 0 with its lens (then H maps pixels free of distortion); "focal_known", false where K is nominal;
+    /// "proof", "none" where no held-out point has checked it; "corners_cov_px2", 8×8, how far the corners may be off; "corners_lens_cov", 10×10, the same jointly with k1 and k2; "hand_camera":{"image_size","K","R","T"} (T in mm, X_screen = R X_camera + T). Unknown fields are ignored.
     /// </summary>
     public static class RangeCalibrationFile
     {
+        /// <summary>What the field "proof" says of a calibration that no held-out point has checked.</summary>
+        public const string NoProof = "none";
+
         private const string Remedy = CalibrationJson.Remedy;
 
         /// <exception cref="InputException">Missing, not JSON, of another kind or a newer version, or a field that is absent, not finite or impossible.</exception>
@@ -49,13 +52,18 @@ namespace LaserTracking.Geometry
                 root["dist"] = lens["dist"];
             }
 
+            if (screen.Camera != null && !screen.IsFocalLengthKnown)
+                root["focal_known"] = false;
             if (screen.Uncertainty is HomographyUncertainty uncertainty)
             {
-                var flat = new double[64];
-                Buffer.BlockCopy(uncertainty.Of(ScreenGeometry.CornersOf(screen.ScreenSizeM)), 0, flat, 0, sizeof(double) * flat.Length);
-                root["corners_cov_px2"] = CalibrationJson.Rows(flat, 8);
+                double[,] joint = uncertainty.Of(ScreenGeometry.CornersOf(screen.ScreenSizeM));
+                root["corners_cov_px2"] = CalibrationJson.Rows(Corner(joint, 8), 8);
+                if (uncertainty.LensCoefficients > 0)
+                    root["corners_lens_cov"] = CalibrationJson.Rows(Corner(joint, joint.GetLength(0)), joint.GetLength(0));
             }
 
+            if (calibration.IsUnverified)
+                root["proof"] = NoProof;
             if (calibration.HandCamera is HandCamera hand)
             {
                 JObject content = LensCameraJson.Format(hand.Intrinsics);
@@ -65,6 +73,15 @@ namespace LaserTracking.Geometry
             }
 
             return root.ToString(Formatting.Indented).Replace("\r\n", "\n") + "\n";
+        }
+
+        /// <summary>The first rows and columns, row by row.</summary>
+        private static double[] Corner(double[,] matrix, int side)
+        {
+            var flat = new double[side * side];
+            for (int i = 0; i < flat.Length; i++)
+                flat[i] = matrix[i / side, i % side];
+            return flat;
         }
 
         private static RangeCalibration Parse(JObject root, string name)
@@ -90,10 +107,18 @@ namespace LaserTracking.Geometry
             }
 
             CheckOutline(screen, name);
-            if (!IsAbsent(root["corners_cov_px2"]))
-                screen = new ScreenGeometry(screen.ImageToScreen, screen.ScreenSizeM, camera, Uncertainty(root["corners_cov_px2"], screen, name));
-            return new RangeCalibration(screen, image[0], image[1], HandCamera(root["hand_camera"], name));
+            bool isJoint = camera != null && !IsAbsent(root["corners_lens_cov"]);
+            HomographyUncertainty? uncertainty = isJoint ? Uncertainty(root, "corners_lens_cov", 8 + PlaneLens.Coefficients, screen, name)
+                : IsAbsent(root["corners_cov_px2"]) ? null : Uncertainty(root, "corners_cov_px2", 8, screen, name);
+
+            // Files from before "focal_known" say of a nominal focal length that the lens was found.
+            bool isNominal = isJoint || IsTrue(root["lens_found"]) || (root["focal_known"]?.Type == JTokenType.Boolean && !IsTrue(root["focal_known"]));
+            screen = new ScreenGeometry(screen.ImageToScreen, screen.ScreenSizeM, camera, uncertainty, !isNominal);
+            bool isUnverified = (root["proof"] as JValue)?.Value is string proof && proof == NoProof;
+            return new RangeCalibration(screen, image[0], image[1], HandCamera(root["hand_camera"], name), isUnverified);
         }
+
+        private static bool IsTrue(JToken? token) => token?.Type == JTokenType.Boolean && (bool)token;
 
         private static bool IsAbsent(JToken? token) => token == null || token.Type == JTokenType.Null;
 
@@ -104,12 +129,12 @@ namespace LaserTracking.Geometry
                 throw new InputException(name, "field H gives no screen in the picture: " + reason, Remedy);
         }
 
-        private static HomographyUncertainty Uncertainty(JToken? token, ScreenGeometry screen, string name)
+        private static HomographyUncertainty Uncertainty(JObject root, string field, int side, ScreenGeometry screen, string name)
         {
-            var covariance = new double[8, 8];
-            Buffer.BlockCopy(CalibrationJson.Matrix(token, 8, name, "corners_cov_px2"), 0, covariance, 0, sizeof(double) * 64);
+            var covariance = new double[side, side];
+            Buffer.BlockCopy(CalibrationJson.Matrix(root[field], side, name, field), 0, covariance, 0, sizeof(double) * side * side);
             if (!HomographyUncertainty.TryFromAnchors(screen.ImageToScreen.Inverse, ScreenGeometry.CornersOf(screen.ScreenSizeM), covariance, out HomographyUncertainty? uncertainty, out string reason))
-                throw new InputException(name, "field corners_cov_px2: " + reason, Remedy);
+                throw new InputException(name, "field " + field + ": " + reason, Remedy);
             return uncertainty!;
         }
 

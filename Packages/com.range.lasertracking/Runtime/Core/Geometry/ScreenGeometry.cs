@@ -17,8 +17,10 @@ namespace LaserTracking.Geometry
         /// <param name="screenSizeM">Width and height of the projected picture.</param>
         /// <param name="camera">The camera with its lens; null: it has no distortion worth correcting.</param>
         /// <param name="uncertainty">How far the inverse mapping, screen m to image px, may be off; null: not known, taken as exact.</param>
-        public ScreenGeometry(Homography imageToScreen, Vector2D screenSizeM, LensCamera? camera = null, HomographyUncertainty? uncertainty = null)
+        /// <param name="isFocalLengthKnown">False for a lens that was found from the screen's own points: its focal length is nominal.</param>
+        public ScreenGeometry(Homography imageToScreen, Vector2D screenSizeM, LensCamera? camera = null, HomographyUncertainty? uncertainty = null, bool isFocalLengthKnown = true)
         {
+            IsFocalLengthKnown = camera != null && isFocalLengthKnown;
             _imageToScreen = imageToScreen;
             _screenToImage = imageToScreen.Inverse;
             ScreenSizeM = screenSizeM;
@@ -33,6 +35,9 @@ namespace LaserTracking.Geometry
 
         /// <summary>Camera 0 with its lens; null when not known.</summary>
         public LensCamera? Camera { get; }
+
+        /// <summary>The camera's focal length is a measured one: with it pixels are directions in space. A plane alone does not show it.</summary>
+        public bool IsFocalLengthKnown { get; }
 
         /// <summary>Of screen m to image px free of distortion, in px²; null when not known.</summary>
         public HomographyUncertainty? Uncertainty { get; }
@@ -79,7 +84,8 @@ namespace LaserTracking.Geometry
         /// <param name="expectedSigmaPx">How well one coordinate is expected to be measured, above zero; see <see cref="HomographyFit"/>.</param>
         /// <param name="screen">Valid only when true is returned.</param>
         /// <param name="reason">Why it was refused, one line; empty on success.</param>
-        public static bool TryFit(ReadOnlySpan<Vector2D> imagePx, ReadOnlySpan<Vector2D> screenM, Vector2D screenSizeM, LensCamera? camera, double expectedSigmaPx, out ScreenGeometry? screen, out string reason)
+        /// <param name="commonSigmaPx">Error that neighbours share; see <see cref="HomographyFit"/>.</param>
+        public static bool TryFit(ReadOnlySpan<Vector2D> imagePx, ReadOnlySpan<Vector2D> screenM, Vector2D screenSizeM, LensCamera? camera, double expectedSigmaPx, out ScreenGeometry? screen, out string reason, double commonSigmaPx = 0)
         {
             screen = null;
             Vector2D[] ideal = imagePx.ToArray();
@@ -98,7 +104,7 @@ namespace LaserTracking.Geometry
                 return false;
             }
 
-            if (!HomographyFit.TryFit(screenM, ideal, pixelByIdeal, expectedSigmaPx, out HomographyFit? fit, out reason))
+            if (!HomographyFit.TryFit(screenM, ideal, pixelByIdeal, expectedSigmaPx, out HomographyFit? fit, out reason, commonSigmaPx))
                 return false;
             screen = new ScreenGeometry(fit!.Homography.Inverse, screenSizeM, camera, fit.Uncertainty);
             return true;
@@ -140,7 +146,13 @@ namespace LaserTracking.Geometry
             }
 
             if (Uncertainty != null)
-                covariancePx += Uncertainty.At(_imageToScreen.Map(ideal));
+            {
+                Span<double> byLens = stackalloc double[Camera == null ? 0 : 2 * Uncertainty.LensCoefficients];
+                if (byLens.Length > 0)
+                    LensDerivatives(imagePx, byLens);
+                covariancePx += Uncertainty.At(_imageToScreen.Map(ideal), byLens);
+            }
+
             _imageToScreen.Jacobian(ideal, out double a, out double b, out double c, out double d);
             return covariancePx.Transform(a * 1000, b * 1000, c * 1000, d * 1000);
         }
@@ -150,6 +162,23 @@ namespace LaserTracking.Geometry
             if (Camera == null)
                 return imagePx;
             return Camera.TryUndistort(imagePx, out Vector2D ideal) ? ideal : new Vector2D(double.NaN, double.NaN);
+        }
+
+        /// <summary>
+        /// How far a pixel's own place free of distortion falls behind where the homography would put it, by k1 and k2: 2×2, row by row.
+        /// </summary>
+        private void LensDerivatives(Vector2D imagePx, Span<double> byLens)
+        {
+            Span<double> byRay = stackalloc double[4], by = stackalloc double[10];
+            Camera!.TryUnproject(imagePx, out Vector2D ray);
+            Camera.Distortion.Distort(ray, byRay, by);
+            LensJacobian(imagePx, out double xx, out double xy, out double yx, out double yy);
+            for (int k = 0; k < PlaneLens.Coefficients; k++)
+            {
+                double x = by[k] * Camera.Pinhole.FocalXPx, y = by[5 + k] * Camera.Pinhole.FocalYPx;
+                byLens[k] = xx * x + xy * y;
+                byLens[PlaneLens.Coefficients + k] = yx * x + yy * y;
+            }
         }
 
         /// <summary>Pixels free of distortion by pixels, at a pixel.</summary>

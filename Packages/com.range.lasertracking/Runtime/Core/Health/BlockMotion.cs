@@ -10,6 +10,10 @@ namespace LaserTracking.Health
         private const double AgreeBins = 0.75, LeastAgreement = 0.6;
         private const int LeastLists = 3;
 
+        /// <summary>What rests while most of the picture moves by more than this stands outside of a picture that changes.</summary>
+        private const double RestBins = 0.25, MovesBins = 0.6, LeastResting = 0.15;
+        private const int LeastRestingLists = 2;
+
         private readonly double[][] _shifts = { new double[ShiftProfiles.Blocks], new double[ShiftProfiles.Blocks] };
         private readonly double[] _sorted = new double[ShiftProfiles.Blocks];
         private readonly int[] _counts = new int[2];
@@ -17,6 +21,9 @@ namespace LaserTracking.Health
         private ShiftProfiles _now = new ShiftProfiles();
 
         public int BinPx => _now.BinPx;
+
+        /// <summary>Along one axis the blocks of the last look moved by different amounts: what it says of that axis, nought, is not known.</summary>
+        public bool IsDisputed { get; private set; }
 
         /// <summary>Reads this frame's share of the blocks; false when the picture is too small.</summary>
         public bool Look(Image image, int frame, int frames, bool hasReference)
@@ -43,6 +50,7 @@ namespace LaserTracking.Health
             bool isX = TryAgree(0, out double x), isY = TryAgree(1, out double y);
             shift = new Vector2D(isX ? x : 0, isY ? y : 0);
             largest = shift.Length;
+            IsDisputed = (!isX && _counts[0] >= LeastLists) || (!isY && _counts[1] >= LeastLists);
             return isX || isY;
         }
 
@@ -68,7 +76,18 @@ namespace LaserTracking.Health
                 shift += (shifts[i] - shift) / agreed;
             }
 
-            return agreed >= LeastLists && agreed >= LeastAgreement * count;
+            if (agreed < LeastLists || agreed < LeastAgreement * count)
+                return false;
+            if (Math.Abs(shift) < MovesBins)
+                return true;
+
+            // A camera takes everything with it. What stays behind is the room around a moving picture: the camera rests.
+            int resting = 0;
+            for (int i = 0; i < count; i++)
+                resting += Math.Abs(shifts[i]) <= RestBins ? 1 : 0;
+            if (resting >= LeastRestingLists && resting >= LeastResting * count)
+                shift = 0;
+            return true;
         }
     }
 }

@@ -16,6 +16,9 @@ namespace LaserTracking.Patterns
         /// <summary>Standard deviation of a measured coordinate before anything is known, px.</summary>
         private const double ExpectedSigmaPx = 0.1;
 
+        /// <summary>What blur and uneven light displace the points of one part of the picture by together, px: from simulated rooms 1 to 60 of the study.</summary>
+        private const double CommonSigmaPx = 0.01;
+
         /// <summary>A point further off than this many standard deviations and pixels does not belong to the plane.</summary>
         private const double LeftOutSigmas = 5, LeftOutPx = 1;
 
@@ -53,9 +56,9 @@ namespace LaserTracking.Patterns
             for (int i = 0; hasBoth && i < view.Second.Length; i++)
                 Take(view.Second[i], true);
 
-            LensCamera? lens = _lens;
             string problem = string.Empty;
-            ScreenGeometry? screen = FitCount() < LeastPoints ? null : Fit(view, ref lens, out problem);
+            bool isLensFound = false;
+            ScreenGeometry? screen = FitCount() < LeastPoints ? null : Fit(view, out isLensFound, out problem);
             var checks = new List<ScreenCheckPoint>();
             for (int i = 0; i < _points.Count && screen != null; i++)
             {
@@ -70,7 +73,7 @@ namespace LaserTracking.Patterns
             judge.Judge(FitCount(), problem);
             if (!hasBoth && board.Length > 0)
                 judge.Notes.Add("only one of the two boards was seen: a third of its points was held out to prove the rest");
-            return new ScreenCalibration(view, screen, _lens == null && lens != null, checks, regions, judge.Refusals, judge.Notes);
+            return new ScreenCalibration(view, screen, isLensFound, checks, regions, judge.Refusals, judge.Notes);
         }
 
         /// <summary>Every third point of every row, shifted from row to row, so that they lie between points of the fit.</summary>
@@ -105,8 +108,9 @@ namespace LaserTracking.Patterns
 
         private int FitCount() => _points.FindAll(p => !p.IsHeldOut && !p.IsLeftOut).Count;
 
-        private ScreenGeometry? Fit(ScreenPatternView view, ref LensCamera? lens, out string problem)
+        private ScreenGeometry? Fit(ScreenPatternView view, out bool isLensFound, out string problem)
         {
+            isLensFound = false;
             ScreenGeometry? screen = null;
             problem = string.Empty;
             for (int round = 0; round < 4; round++)
@@ -121,10 +125,14 @@ namespace LaserTracking.Patterns
                 }
 
                 Vector2D[] placesM = from.ToArray(), px = to.ToArray();
+                PlaneLens? found = null;
                 if (_lens == null)
-                    lens = PlaneLens.Find(placesM, px, view.ImageWidth, view.ImageHeight);
-                if (!ScreenGeometry.TryFit(px, placesM, _screenSizeM, lens, ExpectedSigmaPx, out screen, out problem))
+                    PlaneLens.TryFind(placesM, px, view.ImageWidth, view.ImageHeight, ExpectedSigmaPx, out found, CommonSigmaPx);
+                isLensFound = found is { IsFound: true };
+                if (!ScreenGeometry.TryFit(px, placesM, _screenSizeM, found?.Camera ?? _lens, ExpectedSigmaPx, out screen, out problem, CommonSigmaPx))
                     return null;
+                if (found != null)
+                    screen = new ScreenGeometry(screen!.ImageToScreen, _screenSizeM, found.Camera, found.Uncertainty, isFocalLengthKnown: false);
                 if (!LeaveOut(screen!))
                     return screen;
             }

@@ -11,6 +11,9 @@ namespace LaserTracking.Patterns
 
         internal ScreenRegion(int index) => Name = Names[index];
 
+        /// <summary>Of all parts, row by row.</summary>
+        public static System.Collections.Generic.IReadOnlyList<string> AllNames => Names;
+
         /// <summary>For people: "top left".</summary>
         public string Name { get; }
 

@@ -50,5 +50,8 @@ namespace LaserTracking.Session
 
         /// <summary>Something is missing or set wrongly, in the scene or at the camera, or is well again. Value: 0.</summary>
         SetUp = 15,
+
+        /// <summary>All of the picture moves, and whether the camera does cannot be told without a calibrated screen. Value: displacement, px.</summary>
+        MotionUnclear = 17,
     }
 }

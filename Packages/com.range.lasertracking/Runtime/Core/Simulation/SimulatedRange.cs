@@ -72,6 +72,12 @@ namespace LaserTracking.Simulation
         /// <summary>Exact, from infrared to colour pixels; null without an infrared camera.</summary>
         public InfraredMapping? InfraredMapping { get; }
 
+        /// <summary>Camera 0, exact, with its true focal length.</summary>
+        public LensCamera ColorCamera => _colorGeometry.Camera;
+
+        /// <summary>Exact, from camera 1's space to camera 0's, both mm: what a device with both cameras knows from its factory; null without camera 1.</summary>
+        public Pose? DepthToColorMm => _depthGeometry == null ? (Pose?)null : _colorGeometry.ToScreenMm.Inverse * _depthGeometry.HandCamera.PoseInScreenMm;
+
         /// <summary>A new stream of camera 0's frames, with infrared where the scenario has it, from the beginning.</summary>
         public IFrameSource CreateColorSource() => new SimulatedColorSource(_scenario, _light,
             new CameraScene(_scenario, _colorGeometry, _assets, _light), new LaserPainter(_scenario, _plan, _light, _optics),

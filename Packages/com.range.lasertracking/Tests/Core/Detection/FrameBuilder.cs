@@ -60,6 +60,12 @@ namespace LaserTracking.Detection
             return this;
         }
 
+        public void Gray(int x, int y, float level)
+        {
+            int i = 3 * (y * Width + x);
+            _light[i] = _light[i + 1] = _light[i + 2] = level;
+        }
+
         /// <summary>A green laser: far over full brightness in green, with enough of the others to clip to white in the core.</summary>
         public FrameBuilder GreenDot(double x, double y, double sigma = 2, double strength = 1) =>
             Dot(x, y, sigma, 220 * strength, 1400 * strength, 140 * strength);

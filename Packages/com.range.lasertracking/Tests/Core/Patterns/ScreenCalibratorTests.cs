@@ -129,9 +129,9 @@ namespace LaserTracking.Patterns
             LensCamera truth = Lens(k1, k2);
             ScreenPatternView view = View(lens: truth, noisePx: 0);
             Vector2D[] places = view.Second.Select(p => p.Place).ToArray(), px = view.Second.Select(p => p.ImagePx).ToArray();
-            LensCamera? found = PlaneLens.Find(places, px, 1280, 720);
-            Assert.That(found, Is.Not.Null);
-            Vector2D[] straight = px.Select(p => found!.TryUndistort(p, out Vector2D ideal) ? ideal : default).ToArray();
+            Assert.That(PlaneLens.TryFind(places, px, 1280, 720, 0.1, out PlaneLens? found), Is.True);
+            Assert.That(found!.IsFound, Is.True);
+            Vector2D[] straight = px.Select(p => found.Camera.TryUndistort(p, out Vector2D ideal) ? ideal : default).ToArray();
             Assert.That(HomographyFit.TryFit(places, straight, default, 0.1, out HomographyFit? fit, out _), Is.True);
             Assert.That(fit!.Rms, Is.LessThan(0.01), "straight lines are straight again");
         }

@@ -1,9 +1,8 @@
 using System;
 using System.CommandLine;
 using System.Linq;
-using System.Runtime.InteropServices;
-using LaserTracking.Capture.AzureKinect;
 using LaserTracking.Geometry;
+using LaserTracking.Host.Calibration;
 using Newtonsoft.Json.Linq;
 
 namespace LaserTracking.Host.Commands
@@ -11,10 +10,13 @@ namespace LaserTracking.Host.Commands
     /// <summary>range calibrate plane: where the screen stands before the camera, by its size and by depth, and how the two agree.</summary>
     internal static class CalibratePlaneCommand
     {
+        /// <summary>Corners that miss by more are said: a few pixels are what pointing at them by hand leaves.</summary>
+        private const double MostCornerRmsPx = 3;
+
         public static Command Create()
         {
             var file = new Argument<string>("CALIBRATION") { Description = "What 'calibrate screen' wrote." };
-            var recording = new Option<string?>("--depth") { HelpName = "RECORDING", Description = "A recording (.mkv) of the same camera in the same place, with depth." };
+            var recording = new Option<string?>("--depth") { HelpName = "RECORDING", Description = "A recording (.mkv) of the same camera in the same place, with depth; or a simulation's scenario (.json) whose camera 1 sees the screen." };
             var camera = new Option<string?>("--camera") { HelpName = "FILE", Description = "The camera with its lens, when the calibration does not hold it; else the recording's factory calibration is used." };
             var limit = new Option<double?>("--limit") { HelpName = "MM", Description = "Exit 1 when size and depth disagree by more than this at a corner of the screen." };
             var command = new Command("plane", "Where the screen stands before the camera: by its size, by depth, and how the two agree.") { file, recording, camera, limit };
@@ -29,10 +31,10 @@ namespace LaserTracking.Host.Commands
             if (limitMm != null && recordingFile == null)
                 throw new InputException("--limit", "there is nothing to compare the screen's size with", "add --depth RECORDING");
             RangeCalibration calibration = RangeCalibrationFile.Read(file);
-            using KinectRecording? recording = recordingFile == null ? null : KinectRecording.Open(recordingFile);
-            KinectCalibration? kinect = recording == null ? null : Factory(recording, recordingFile!, calibration);
-            LensCamera camera = calibration.Screen.Camera ?? (cameraFile != null ? LensCameraJson.ReadFile(cameraFile) : kinect?.Color)
-                ?? throw new InputException(file, "it does not hold the camera's lens", "add --camera FILE from 'calibrate board', or --depth RECORDING with a factory calibration");
+            using DepthView? view = recordingFile == null ? null : DepthView.Open(recordingFile, calibration.ImageWidth, calibration.ImageHeight);
+            LensCamera camera = (calibration.Screen.IsFocalLengthKnown ? calibration.Screen.Camera : null) ?? (cameraFile != null ? LensCameraJson.ReadFile(cameraFile) : view?.Color)
+                ?? throw new InputException(file, calibration.Screen.Camera == null ? "it does not hold the camera's lens" : "its lens was found from the screen alone, which does not show the focal length",
+                    "add --camera FILE from 'calibrate board', or --depth RECORDING with a factory calibration");
             if (camera.Pinhole.Width != calibration.ImageWidth || camera.Pinhole.Height != calibration.ImageHeight)
                 throw new InputException(cameraFile ?? file, FormattableString.Invariant($"the camera is calibrated for pictures of {camera.Pinhole.Width}x{camera.Pinhole.Height}, the screen for {calibration.ImageWidth}x{calibration.ImageHeight}"), "calibrate both at one size");
             if (!ScreenPlane.TryFromSize(calibration.Screen, camera, out ScreenPlane? plane, out string reason))
@@ -42,11 +44,13 @@ namespace LaserTracking.Host.Commands
             JObject bySize = Place(plane.Plane);
             bySize["middle_mm"] = Rounded(2, middle.X, middle.Y, middle.Z);
             bySize["corner_rms_px"] = Math.Round(plane.CornerRmsPx, 4);
+            if (plane.CornerRmsPx > MostCornerRmsPx)
+                Console.Error.WriteLine(FormattableString.Invariant($"range: {file}: no flat screen of {plane.ScreenSizeM.X}x{plane.ScreenSizeM.Y} m looks like this to that camera, its corners miss by {plane.CornerRmsPx:F1} px: check the size, the corners and the camera's focal length"));
             var result = new JObject { ["from_size"] = bySize };
             bool isWithin = true;
-            if (kinect != null)
+            if (view != null)
             {
-                PlaneFit depth = Measure(recording!, recordingFile!, kinect, calibration.Screen);
+                PlaneFit depth = view.Measure(calibration.Screen);
                 JObject byDepth = Place(depth.Plane);
                 byDepth["sigma_mm"] = Math.Round(depth.Sigma, 2);
                 byDepth["points"] = depth.Count;
@@ -68,35 +72,6 @@ namespace LaserTracking.Host.Commands
 
             Console.WriteLine(result.ToString());
             return isWithin ? ExitCodes.Done : ExitCodes.CheckFailed;
-        }
-
-        private static KinectCalibration Factory(KinectRecording recording, string name, RangeCalibration calibration)
-        {
-            KinectRecordConfiguration configuration = recording.Configuration;
-            if (recording.DepthTrack == null)
-                throw new InputException(name, "it holds no depth", "give a recording made with depth on");
-            if (!recording.TryReadCalibration(out byte[] json))
-                throw new InputException(name, "it holds no device calibration", "give a recording made with a device");
-            if (!KinectCalibration.TryRead(json, configuration.DepthMode, calibration.ImageWidth, calibration.ImageHeight, out KinectCalibration? kinect, out string reason))
-                throw new InputException(name, reason, "give another recording");
-            return kinect!;
-        }
-
-        /// <summary>The first capture whose depth gives a plane.</summary>
-        private static PlaneFit Measure(KinectRecording recording, string name, KinectCalibration kinect, ScreenGeometry screen)
-        {
-            string reason = "it holds no depth picture that can be read";
-            var depth = new ushort[kinect.Infrared.Pinhole.Width * kinect.Infrared.Pinhole.Height];
-            var capture = new KinectCapture();
-            while (recording.TryReadNext(capture))
-            {
-                if (!capture.Depth.IsPresent || capture.Depth.SizeBytes != 2 * depth.Length || !recording.TryReadPayload(capture.Depth, MemoryMarshal.AsBytes(depth.AsSpan())))
-                    continue;
-                if (KinectScreenPlane.TryMeasure(kinect, depth, screen, out PlaneFit? fit, out reason))
-                    return fit!;
-            }
-
-            throw new InputException(name, reason, "record the screen from where the camera stands, with nobody before it");
         }
 
         private static JObject Place(Plane3D plane) => new()

@@ -1,5 +1,6 @@
 using System;
 using System.CommandLine;
+using System.Linq;
 using System.Text;
 using LaserTracking.Geometry;
 using LaserTracking.Host.Calibration;
@@ -127,13 +128,15 @@ namespace LaserTracking.Host.Commands
             bool isSure = file != null && (measured.ImageSize != null || lens != null || isSizeGiven);
             ScreenReport.CheckInside(measured.ImagePx, "image_px", calibration, source, isSure);
             ScreenReport.CheckInside(measured.VerifyImagePx, "verify.image_px", calibration, source, isSure);
-            JObject result = ScreenReport.OfPoints(screen!, measured, withFit: true);
+            PointProof proof = PointProof.Of(screen!, measured with { ImageSize = (width, height) }, sizeM, lens, HandSigmaPx, limitMm);
+            var result = new JObject
+            {
+                ["rms_px"] = PointErrors.Of(measured.ImagePx.Zip(measured.ScreenM, (px, m) => (screen!.ToImagePx(m) - px).Length).ToArray()).Rms,
+                ["rms_mm"] = PointErrors.Of(measured.ImagePx.Zip(measured.ScreenM, (px, m) => (screen!.ToScreenM(px) - m).Length * 1000).ToArray()).Rms,
+            };
+            proof.AddTo(result);
             Console.WriteLine(result.ToString());
-            if (!ScreenReport.Passes(screen!, measured, limitMm, "; nothing was written"))
-                return null;
-            if (measured.VerifyImagePx.Length == 0)
-                Console.Error.WriteLine($"range: no check points: {(measured.ImagePx.Length == 4 ? "the fit goes through its corners exactly and" : "how well the fit meets its own points")} proves nothing; fire at known places and give them as \"verify\" in --points");
-            return Merged(calibration, result);
+            return proof.Passes("; nothing was written") ? Merged(calibration, result) : null;
         }
 
         private static JObject Merged(RangeCalibration calibration, JObject result)

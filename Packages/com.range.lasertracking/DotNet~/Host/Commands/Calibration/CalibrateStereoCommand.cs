@@ -52,7 +52,7 @@ namespace LaserTracking.Host.Commands
                 StereoSession session = StereoSession.Run(seen.Left, seen.Right, model, parsed.GetValue(free), options.KeepsAll(parsed), source);
                 double? heldOut = HeldOutError.OfPairs(session.Both.Pairs, session.Left.Camera, session.Right.Camera, model);
                 if (options.Pictures(parsed) is string folder)
-                    BoardPictures.Write(folder, session.Both, seen.Left, seen.Right, board?.Size);
+                    BoardPictures.Write(folder, session, seen.Left, seen.Right, board?.Size);
                 return output.Write(parsed, CalibrationReport.OfStereo(session.Left, session.Right, session.Both, session.Missing, options.ModelName(parsed), board, heldOut, notes));
             });
             return command;

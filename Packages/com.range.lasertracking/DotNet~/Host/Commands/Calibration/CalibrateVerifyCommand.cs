@@ -1,16 +1,21 @@
 using System;
 using System.CommandLine;
 using System.Collections.Generic;
+using System.Linq;
 using System.Threading.Tasks;
 using LaserTracking.Geometry;
 using LaserTracking.Host.Calibration;
 using LaserTracking.Patterns;
+using Newtonsoft.Json.Linq;
 
 namespace LaserTracking.Host.Commands
 {
     /// <summary>range calibrate verify: errors of a calibration on points that it has not seen.</summary>
     internal static class CalibrateVerifyCommand
     {
+        /// <summary>Points that are met so exactly were fitted to, m: nobody shoots so well.</summary>
+        private const double FittedM = 1e-8;
+
         public static Command Create()
         {
             var file = new Argument<string>("CALIBRATION") { Description = "What 'calibrate screen' wrote." };
@@ -22,13 +27,23 @@ namespace LaserTracking.Host.Commands
             {
                 string? measured = parsed.GetValue(points);
                 string[] inputs = parsed.GetValue(images) ?? [];
-                if (measured == null == (inputs.Length == 0))
-                    throw new InputException("calibrate verify", measured == null ? "no points given" : "points given in several ways", "use one of --points FILE and --image INPUT");
+                if (measured != null && inputs.Length > 0)
+                    throw new InputException("calibrate verify", "points given in several ways", "use one of --points FILE and --image INPUT");
                 double limitMm = CalibrateScreenCommand.LimitMm(parsed.GetValue(limit));
-                RangeCalibration calibration = RangeCalibrationFile.Read(parsed.GetValue(file)!);
+                string name = parsed.GetValue(file)!;
+                RangeCalibration calibration = RangeCalibrationFile.Read(name);
+                if (measured == null && inputs.Length == 0)
+                    throw calibration.IsUnverified
+                        ? new InputException(name, "this calibration is unverified: nothing but its own few points says that it is right", "fire check shots at known places and give them with --points FILE, or show the pattern and give --image INPUT")
+                        : new InputException("calibrate verify", "no points given", "use one of --points FILE and --image INPUT");
                 ScreenPoints seen = measured != null ? Measured(measured, calibration) : Seen(inputs, calibration, interrupted);
-                Console.WriteLine(ScreenReport.OfPoints(calibration.Screen, seen, withFit: false).ToString());
-                return Task.FromResult(ScreenReport.Passes(calibration.Screen, seen, limitMm, string.Empty) ? ExitCodes.Done : ExitCodes.CheckFailed);
+                PointProof proof = PointProof.Of(calibration.Screen, seen, calibration.Screen.ScreenSizeM, calibration.Screen.Camera, 1, limitMm);
+                if (calibration.IsUnverified && seen.VerifyImagePx.Zip(seen.VerifyScreenM, (px, m) => (calibration.Screen.ToScreenM(px) - m).Length).All(off => off < FittedM))
+                    throw new InputException(measured ?? inputs[0], "these are the points that the calibration was fitted to: they prove nothing", "give shots at other known places");
+                var result = new JObject();
+                proof.AddTo(result);
+                Console.WriteLine(result.ToString());
+                return Task.FromResult(proof.Passes(string.Empty) ? ExitCodes.Done : ExitCodes.CheckFailed);
             });
             return command;
         }

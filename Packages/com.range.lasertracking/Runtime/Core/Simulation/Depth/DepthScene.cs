@@ -147,7 +147,11 @@ namespace LaserTracking.Simulation
             Vector3D ray = camera.PoseInScreenMm.TransformDirection(new Vector3D(x, y, 1));
             double nearest = Nothing;
             double wall = (-_geometry.BackWallM - origin.Z) / ray.Z, floor = (_geometry.FloorM - origin.Y) / ray.Y;
-            double ceiling = (_geometry.CeilingM - origin.Y) / ray.Y;
+            double ceiling = (_geometry.CeilingM - origin.Y) / ray.Y, screen = -origin.Z / ray.Z;
+
+            // The screen hangs on a wall: a camera that looks towards it, rather than back at the trainees, sees that.
+            if (screen > 0)
+                nearest = screen * 1000;
             if (wall > 0)
                 nearest = Math.Min(nearest, wall * 1000);
             if (floor > 0)

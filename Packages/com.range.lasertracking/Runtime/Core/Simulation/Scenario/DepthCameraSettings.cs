@@ -3,7 +3,8 @@ using LaserTracking.Geometry;
 namespace LaserTracking.Simulation
 {
     /// <summary>
-    /// Camera 1, a depth camera at the screen that looks back at the trainees. Defaults: NFOV unbinned of an Azure Kinect with its
+    /// Camera 1, a depth camera at the screen that looks back at the trainees, or wherever it is put: it sees the wall that the screen
+    /// hangs on, too. Defaults: NFOV unbinned of an Azure Kinect with its
     /// published errors (random sd up to 17 mm, systematic below 11 mm).
     /// </summary>
     public sealed class DepthCameraSettings

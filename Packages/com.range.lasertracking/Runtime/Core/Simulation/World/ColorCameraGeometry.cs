@@ -24,8 +24,10 @@ namespace LaserTracking.Simulation
             ScreenToImage = PlaneMap.Scale(focal, focal, cx, cy) *
                             new PlaneMap(x.X, y.X, o.X, x.Y, y.Y, o.Y, x.Z, y.Z, o.Z);
             PositionM = position;
+            ToScreenMm = new Pose(Axes.MetresToMillimetres(pose.Position), pose.Rotation);
+            Camera = new LensCamera(new PinholeCamera(focal, focal, cx, cy, settings.Width, settings.Height), new BrownDistortion(new[] { settings.LensK1, settings.LensK2, 0 }, 0, 0));
             if (settings.LensK1 != 0 || settings.LensK2 != 0)
-                Lens = new LensCamera(new PinholeCamera(focal, focal, cx, cy, settings.Width, settings.Height), new BrownDistortion(new[] { settings.LensK1, settings.LensK2, 0 }, 0, 0));
+                Lens = Camera;
             Screen = new ScreenGeometry(new Homography(ScreenToImage.Inverse.ToArray()), screenSizeM, Lens);
         }
 
@@ -34,6 +36,12 @@ namespace LaserTracking.Simulation
 
         /// <summary>The camera with its lens; null: no distortion.</summary>
         public LensCamera? Lens { get; }
+
+        /// <summary>With its true focal length, whether its lens distorts or not.</summary>
+        public LensCamera Camera { get; }
+
+        /// <summary>Camera space to screen space, both mm.</summary>
+        public Pose ToScreenMm { get; }
 
         public ScreenGeometry Screen { get; }
 

@@ -1,10 +1,9 @@
 using System;
-using LaserTracking.Geometry;
 
-namespace LaserTracking.Capture.AzureKinect
+namespace LaserTracking.Geometry
 {
-    /// <summary>The screen's plane as the depth camera beside the colour camera measures it.</summary>
-    public static class KinectScreenPlane
+    /// <summary>The screen's plane as a depth camera beside the colour camera measures it.</summary>
+    public static class DepthScreenPlane
     {
         // Every so many pixels along each axis: thousands of points are plenty for a plane.
         private const int Step = 3;
@@ -12,17 +11,19 @@ namespace LaserTracking.Capture.AzureKinect
         private const double LeastShare = 0.5;
 
         /// <summary>Fits the plane to the depth pixels that show the screen; people before it are left out. Allocates.</summary>
-        /// <param name="calibration">Of the device.</param>
+        /// <param name="depthCamera">What took the depth picture.</param>
+        /// <param name="depthToColorMm">From its space to the colour camera's, both mm.</param>
+        /// <param name="color">What took the picture that the screen was calibrated in, with its true focal length.</param>
         /// <param name="depthMm">The depth picture, row by row without gaps; 0: nothing measured.</param>
         /// <param name="screen">Where the screen lies in the colour picture.</param>
         /// <param name="fit">In the colour camera's space, mm. Valid only when true is returned.</param>
         /// <param name="reason">Why there is none, one line; empty on success.</param>
-        public static bool TryMeasure(KinectCalibration calibration, ReadOnlySpan<ushort> depthMm, ScreenGeometry screen, out PlaneFit? fit, out string reason)
+        public static bool TryMeasure(LensCamera depthCamera, Pose depthToColorMm, LensCamera color, ReadOnlySpan<ushort> depthMm, ScreenGeometry screen, out PlaneFit? fit, out string reason)
         {
             fit = null;
-            PinholeCamera depth = calibration.Infrared.Pinhole;
+            PinholeCamera depth = depthCamera.Pinhole;
             if (depthMm.Length != depth.Width * depth.Height)
-                throw new ArgumentException("this is no depth picture of the calibration's mode", nameof(depthMm));
+                throw new ArgumentException("this is no depth picture of that camera", nameof(depthMm));
             var points = new Vector3D[(depth.Width / Step + 1) * (depth.Height / Step + 1)];
             Vector2D[] outline = screen.OutlinePx;
             int count = 0;
@@ -30,10 +31,10 @@ namespace LaserTracking.Capture.AzureKinect
             for (int x = 0; x < depth.Width; x += Step)
             {
                 double z = depthMm[y * depth.Width + x];
-                if (!(z > 0) || !calibration.Infrared.TryUnproject(new Vector2D(x, y), out Vector2D ray))
+                if (!(z > 0) || !depthCamera.TryUnproject(new Vector2D(x, y), out Vector2D ray))
                     continue;
-                Vector3D point = calibration.InfraredToColorMm.TransformPoint(new Vector3D(ray.X * z, ray.Y * z, z));
-                if (calibration.Color.TryProject(point, out Vector2D pixel) && Polygon2D.Contains(outline, pixel))
+                Vector3D point = depthToColorMm.TransformPoint(new Vector3D(ray.X * z, ray.Y * z, z));
+                if (color.TryProject(point, out Vector2D pixel) && Polygon2D.Contains(outline, pixel))
                     points[count++] = point;
             }
 

@@ -1,0 +1,158 @@
+using System;
+using System.Linq;
+using LaserTracking.Detection;
+using LaserTracking.Geometry;
+using LaserTracking.Session;
+using NUnit.Framework;
+
+namespace LaserTracking.Health
+{
+    /// <summary>Without a calibrated screen: pictures that pan are not the camera, a camera that steps is.</summary>
+    public sealed class PanningTests
+    {
+        private const int Fps = 15;
+
+        [TestCase(0.15, 0)]
+        [TestCase(0.4, 0.3)]
+        [TestCase(1, 0)]
+        [TestCase(0, -2)]
+        [TestCase(-3, 3)]
+        [TestCase(8, 0)]
+        [TestCase(25, -10)]
+        public void PictureMonitor_PictureThatFillsTheViewPans_IsNoMovedCamera(double x, double y)
+        {
+            MonitorRun run = Play(12, t => new Vector2D(x, y) * t);
+            AssertUnclear(run);
+        }
+
+        [TestCase(0.5, 0, 2.0)]
+        [TestCase(2, 1, 1.5)]
+        [TestCase(-4, 4, 2.5)]
+        [TestCase(6, 0, 1.2)]
+        [TestCase(0, 15, 4.0)]
+        public void PictureMonitor_PanThatStartsAndStops_IsNoMovedCamera(double x, double y, double seconds)
+        {
+            // Rests for three seconds, pans, rests for four, pans back, rests.
+            MonitorRun run = Play(18, t => new Vector2D(x, y) * (Math.Min(Math.Max(t - 3, 0), seconds) - Math.Min(Math.Max(t - 7 - seconds, 0), seconds)));
+            AssertUnclear(run);
+        }
+
+        [TestCase(0.5)]
+        [TestCase(3)]
+        public void PictureMonitor_PanThatEasesInAndOut_IsNoMovedCamera(double amplitude)
+        {
+            MonitorRun run = Play(16, t => new Vector2D(amplitude * (1 - Math.Cos(t * 2 * Math.PI / 6)), amplitude * Math.Sin(t * 2 * Math.PI / 8)));
+            AssertUnclear(run);
+        }
+
+        [TestCase(2.0, 0.0)]
+        [TestCase(-1.5, 1.5)]
+        [TestCase(0.0, 7.0)]
+        [TestCase(-12.0, 4.0)]
+        public void PictureMonitor_CameraThatSteps_IsSaidWithinFiveSeconds(double x, double y)
+        {
+            // Over in a fifth of a second, with an overshoot.
+            foreach (int framesPerSecond in new[] { 15, 30 })
+                AssertStep(x, y, framesPerSecond);
+        }
+
+        private static void AssertStep(double x, double y, int framesPerSecond)
+        {
+            MonitorRun run = Play(9, t => new Vector2D(x, y) * (t < 4.03 ? 0 : t < 4.1 ? 0.6 : t < 4.2 ? 1.2 : 1), framesPerSecond);
+            Assert.That(run.Kinds, Is.EqualTo(new[] { HealthKind.CameraMoved }), string.Join("; ", run.Said.Select(h => h.Text)));
+            Assert.That(run.Said[0].Value, Is.EqualTo(new Vector2D(x, y).Length).Within(0.5));
+            Assert.That(run.Said[0].TimeUs, Is.LessThan(9_000_000));
+        }
+
+        [Test]
+        public void PictureMonitor_CameraThatStepsLongAfterAPan_IsSaid()
+        {
+            MonitorRun run = Play(32, t => new Vector2D(2 * Math.Min(t, 4) + (t < 26 ? 0 : 3), 0));
+            Assert.That(run.Kinds, Is.EqualTo(new[] { HealthKind.MotionUnclear, HealthKind.CameraMoved }), string.Join("; ", run.Said.Select(h => h.Text)));
+        }
+
+        [Test]
+        public void PictureMonitor_PanInsideOfAStillRoom_SaysNothing()
+        {
+            var run = new MonitorRun(framesPerSecond: Fps);
+            run.Play(0, 12 * Fps, (b, i) =>
+            {
+                Content(b, new Vector2D(1.5 * i / Fps, 0));
+
+                // A still frame of things around the panning picture: two of twelve blocks see it.
+                b.Box(0, 0, 320, 26, 30, 40, 35);
+                for (int k = 0; k < 12; k++)
+                    b.Box(6 + k * 26, 3, 9 + k % 3 * 5, 20, 150, 120, 90);
+                b.Box(0, 0, 30, 240, 30, 40, 35);
+                for (int k = 0; k < 10; k++)
+                    b.Box(4, 4 + k * 23, 22, 8 + k % 3 * 4, 60, 150, 120);
+                b.Box(290, 0, 30, 240, 30, 40, 35);
+                for (int k = 0; k < 10; k++)
+                    b.Box(295, 4 + k * 23, 22, 8 + k % 3 * 4, 140, 60, 120);
+            });
+            Assert.That(run.Said.Select(h => h.Kind), Has.None.EqualTo(HealthKind.CameraMoved));
+        }
+
+        [Test]
+        public void PictureMonitor_PanningPicture_WarmFramesAllocateNothing()
+        {
+            var run = new MonitorRun(framesPerSecond: Fps);
+            using var frame = new Capture.Frame();
+            int next = 0;
+            void Show(int count)
+            {
+                for (int i = 0; i < count; i++, next++)
+                {
+                    Content(run.Builder, new Vector2D(next * 0.1, 0));
+                    run.Builder.Write(frame, next, next * run.IntervalUs);
+                    long before = GC.GetAllocatedBytesForCurrentThread();
+                    run.Monitor.Process(frame);
+                    if (next >= 240)
+                        Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
+                }
+            }
+
+            Show(300);
+        }
+
+        private static void AssertUnclear(MonitorRun run)
+        {
+            Assert.That(run.Said.Select(h => h.Kind), Has.None.EqualTo(HealthKind.CameraMoved), string.Join("; ", run.Said.Select(h => h.Text)));
+            Assert.That(run.Said.Count(h => h.Kind == HealthKind.MotionUnclear), Is.LessThanOrEqualTo(1));
+        }
+
+        private static MonitorRun Play(int seconds, Func<double, Vector2D> offset, int framesPerSecond = Fps)
+        {
+            var run = new MonitorRun(framesPerSecond: framesPerSecond);
+            run.Play(0, seconds * framesPerSecond, (b, i) => Content(b, offset(i / (double)framesPerSecond)));
+            return run;
+        }
+
+        /// <summary>A picture without end that fills the view, sampled with fractions of a pixel: sums of waves of no common period.</summary>
+        private static void Content(FrameBuilder builder, Vector2D offset)
+        {
+            // Each wave is that of a sum of angles, so that sines are taken by row and by column only.
+            double[,] ofX = Angles(320, offset.X, 0.137, 0.071, 0.283), ofY = Angles(240, offset.Y, 0.191, 0.043, -0.117);
+            for (int y = 0; y < 240; y++)
+            for (int x = 0; x < 320; x++)
+            {
+                builder.Gray(x, y, (float)(110 + 30 * ofX[0, x] + 25 * ofY[0, y] + 22 * (ofX[1, x] * ofY[4, y] + ofX[4, x] * ofY[1, y])
+                    + 18 * (ofX[2, x] * ofY[5, y] + ofX[5, x] * ofY[2, y])));
+            }
+        }
+
+        /// <summary>Sines, then cosines, of three waves.</summary>
+        private static double[,] Angles(int count, double offset, params double[] waves)
+        {
+            var angles = new double[6, count];
+            for (int wave = 0; wave < 3; wave++)
+            for (int i = 0; i < count; i++)
+            {
+                angles[wave, i] = Math.Sin((i - offset) * waves[wave]);
+                angles[3 + wave, i] = Math.Cos((i - offset) * waves[wave]);
+            }
+
+            return angles;
+        }
+    }
+}
