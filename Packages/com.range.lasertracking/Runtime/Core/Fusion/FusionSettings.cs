@@ -31,6 +31,12 @@ namespace LaserTracking.Fusion
         /// <summary>Standard deviation between the line of sight over the muzzle and the light about one axis, radians, beside what the tracker says.</summary>
         public double SightSpreadRad { get; set; } = 0.015;
 
+        /// <summary>For how many shots the expected spread counts beside what is seen of somebody's own.</summary>
+        public double SpreadShots { get; set; } = 3;
+
+        /// <summary>So much smaller than expected, at most, is somebody's spread believed to be.</summary>
+        public double MinSpreadScale { get; set; } = 0.25;
+
         /// <summary>Share of sightings that are far worse than they say (a finger taken for the barrel), with four times the standard deviation.</summary>
         public double PoorSightShare { get; set; } = 0.2;
 
@@ -66,6 +72,9 @@ namespace LaserTracking.Fusion
 
         /// <summary>Standard deviation of that.</summary>
         public double ReachSigmaM { get; set; } = 0.12;
+
+        /// <summary>Least weight of a hand whose arm begins below these eyes, however far it reaches.</summary>
+        public double OwnShare { get; set; } = 0.1;
 
         /// <summary>Weight of a hand that seems to be a neighbour's: arms are given to the nearest head, which may be wrong.</summary>
         public double NeighbourShare { get; set; } = 0.3;

@@ -174,7 +174,7 @@ namespace LaserTracking.Fusion
                 return own == key ? 1 : 0;
             double off = ((muzzle - pivot).Length - reach) / _settings.ReachSigmaM;
             double share = Math.Exp(-0.5 * off * off);
-            return own == key ? Math.Max(0.1, share) : share < 0.02 ? 0 : _settings.NeighbourShare * share;
+            return own == key ? Math.Max(_settings.OwnShare, share) : share < 0.02 ? 0 : _settings.NeighbourShare * share;
         }
 
         /// <summary>
