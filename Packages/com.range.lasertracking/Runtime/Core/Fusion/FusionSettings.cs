@@ -29,19 +29,22 @@ namespace LaserTracking.Fusion
         public double SightedShare { get; set; } = 0.93;
 
         /// <summary>Standard deviation between the line of sight over the muzzle and the light about one axis, radians, beside what the tracker says.</summary>
-        public double SightSpreadRad { get; set; } = 0.015;
+        public double SightSpreadRad { get; set; } = 0.005;
 
         /// <summary>For how many shots the expected spread counts beside what is seen of somebody's own.</summary>
-        public double SpreadShots { get; set; } = 3;
+        public double SpreadShots { get; set; } = 2.5;
 
         /// <summary>So much smaller than expected, at most, is somebody's spread believed to be.</summary>
         public double MinSpreadScale { get; set; } = 0.25;
 
+        /// <summary>A shot teaches where somebody aims over only when it is theirs with that probability: a wrong one spoils what follows.</summary>
+        public double LearnProbability { get; set; } = 0.5;
+
         /// <summary>Share of sightings that are far worse than they say (a finger taken for the barrel), with four times the standard deviation.</summary>
-        public double PoorSightShare { get; set; } = 0.2;
+        public double PoorSightShare { get; set; } = 0.05;
 
         /// <summary>How much a hand still counts whose forearm points elsewhere than its sight line: bent elbows do.</summary>
-        public double BentArmShare { get; set; } = 0.1;
+        public double BentArmShare { get; set; } = 0.2;
 
         /// <summary>Growth of the aim's standard deviation with the distance in time to the nearest sighting, radians a second.</summary>
         public double AimDriftRadPerS { get; set; } = 0.6;
@@ -50,10 +53,10 @@ namespace LaserTracking.Fusion
         public double MuzzleDriftMPerS { get; set; } = 0.5;
 
         /// <summary>Share of shots whose line has nothing to do with the arm seen (a bent wrist, a wrong arm): spread over all directions.</summary>
-        public double OutlierShare { get; set; } = 0.02;
+        public double OutlierShare { get; set; } = 0.005;
 
         /// <summary>Probability, before anything is seen, that a shot came from none of the hands in sight.</summary>
-        public double NobodyPrior { get; set; } = 0.05;
+        public double NobodyPrior { get; set; } = 0.035;
 
         /// <summary>How much less likely than a person a hand whose person is not known is to fire: half a second of a chair, a raised foot.</summary>
         public double StrangerShare { get; set; } = 0.3;
@@ -68,13 +71,13 @@ namespace LaserTracking.Fusion
         public double ViewMargin { get; set; } = 0.05;
 
         /// <summary>From the eyes to the muzzle of somebody who aims and has not fired yet, metres.</summary>
-        public double ReachM { get; set; } = 0.75;
+        public double ReachM { get; set; } = 0.7;
 
         /// <summary>Standard deviation of that.</summary>
-        public double ReachSigmaM { get; set; } = 0.12;
+        public double ReachSigmaM { get; set; } = 0.18;
 
         /// <summary>Least weight of a hand whose arm begins below these eyes, however far it reaches.</summary>
-        public double OwnShare { get; set; } = 0.1;
+        public double OwnShare { get; set; } = 1;
 
         /// <summary>Weight of a hand that seems to be a neighbour's: arms are given to the nearest head, which may be wrong.</summary>
         public double NeighbourShare { get; set; } = 0.3;

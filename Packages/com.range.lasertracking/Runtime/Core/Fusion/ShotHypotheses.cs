@@ -12,8 +12,7 @@ namespace LaserTracking.Fusion
     /// </summary>
     internal sealed class ShotHypotheses
     {
-        /// <summary>Learned from only when that likely, that near in time and that well seen.</summary>
-        private const double LearnProbability = 0.6;
+        /// <summary>Learned from only when that well seen and that near in time.</summary>
         private const double MaxLearnSigmaM = 0.1;
         private const long LearnUs = 60_000;
 
@@ -105,7 +104,7 @@ namespace LaserTracking.Fusion
         /// <summary>Notes with which probability a shot is a column's.</summary>
         public void Learn(int row, int column, Vector2D screenM, LaserColor color, double probability)
         {
-            if (probability < LearnProbability || _keys[column] < 0)
+            if (probability < _settings.LearnProbability || _keys[column] < 0)
                 return;
             _sights.CountColor(_keys[column], color, probability);
             ref readonly FusedShot pair = ref _pairs[row * _settings.MaxHands + column];
