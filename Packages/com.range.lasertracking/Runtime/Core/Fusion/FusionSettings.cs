@@ -40,6 +40,15 @@ namespace LaserTracking.Fusion
         /// <summary>A shot teaches where somebody aims over only when it is theirs with that probability: a wrong one spoils what follows.</summary>
         public double LearnProbability { get; set; } = 0.5;
 
+        /// <summary>Share of shots fired from a swing, the muzzle faster than <see cref="SwingMPerS"/> across its line.</summary>
+        public double SwingShare { get; set; } = 0.12;
+
+        /// <summary>Share of the time in which the weapon of somebody who does not fire just then swings.</summary>
+        public double IdleSwingShare { get; set; } = 0.4;
+
+        /// <summary>Metres a second: tremor and sway stay below a tenth of it, swings to the next target reach three times it.</summary>
+        public double SwingMPerS { get; set; } = 0.2;
+
         /// <summary>Share of sightings that are far worse than they say (a finger taken for the barrel), with four times the standard deviation.</summary>
         public double PoorSightShare { get; set; } = 0.05;
 
@@ -115,6 +124,8 @@ namespace LaserTracking.Fusion
             Check(WindowUs >= 0 && MaxInterpolationUs >= 0 && RelinkUs >= 0, "times not negative");
             Check(EpsilonM >= 0 && RelinkM >= 0 && SameWeaponM >= 0, "lengths not negative");
             Check(WristSigmaRad > 0 && AimDriftRadPerS >= 0 && MuzzleDriftMPerS >= 0, "WristSigmaRad above zero, drifts not negative");
+            Check(SwingShare > 0 && SwingShare < 1 && IdleSwingShare > 0 && IdleSwingShare < 1 && SwingMPerS > 0, "SwingShare and IdleSwingShare between 0 and 1, SwingMPerS above zero");
+            Check(LearnProbability >= 0 && LearnProbability <= 1 && SpreadShots > 0 && MinSpreadScale > 0 && OwnShare >= 0 && OwnShare <= 1, "LearnProbability and OwnShare 0…1, SpreadShots and MinSpreadScale above zero");
             Check(SightedShare >= 0 && SightedShare <= 1 && SightSpreadRad >= 0, "SightedShare 0…1, SightSpreadRad not negative");
             Check(PoorSightShare >= 0 && PoorSightShare < 1 && BentArmShare > 0 && BentArmShare <= 1, "PoorSightShare 0…1, BentArmShare above 0, at most 1");
             Check(OutlierShare >= 0 && OutlierShare < 1, "OutlierShare at least 0, below 1");

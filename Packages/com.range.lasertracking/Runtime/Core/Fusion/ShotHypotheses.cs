@@ -144,7 +144,7 @@ namespace LaserTracking.Fusion
                 PairedHand hand = Sighted(_hands[i], key);
                 if (!ShotHandPairing.TryPair(hand, screenM, _camera, _settings, out FusedShot pair))
                     continue;
-                double density = share * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings);
+                double density = share * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings) * Stillness(hand, pair);
                 sum += density;
                 if (density <= highest)
                     continue;
@@ -160,6 +160,19 @@ namespace LaserTracking.Fusion
             if (unseen > (1 - hidden) * highest)
                 best = default;
             return (1 - hidden) * seen + unseen;
+        }
+
+        /// <summary>How much likelier this hand's motion is of somebody who fires than of somebody who does not: most hold still for it.</summary>
+        private double Stillness(in PairedHand hand, in FusedShot pair)
+        {
+            if (!(hand.VelocitySeconds > 0))
+                return 1;
+            Vector3D velocity = _camera.PoseInScreenMm.TransformDirection(hand.MuzzleVelocityMmS) * Axes.MetresPerMillimetre;
+            double speed = (velocity - pair.Direction * Vector3D.Dot(velocity, pair.Direction)).Length;
+            double noise = Math.Sqrt(2) * hand.Hand.MuzzleSigmaMm * Axes.MetresPerMillimetre / hand.VelocitySeconds;
+            // From still to swinging over the width that the velocity's own error has.
+            double swings = 1 / (1 + Math.Exp(-(speed - _settings.SwingMPerS - noise) / (0.25 * (_settings.SwingMPerS + noise))));
+            return (1 - swings) * (1 - _settings.SwingShare) / (1 - _settings.IdleSwingShare) + swings * _settings.SwingShare / _settings.IdleSwingShare;
         }
 
         /// <summary>How much a hand counts as this column's: its own one fully, a neighbour's at an arm's length from these eyes less.</summary>
@@ -203,6 +216,9 @@ namespace LaserTracking.Fusion
         private PairedHand Sighted(in PairedHand seen, int key)
         {
             PairedHand hand = seen;
+            // Shots are reported before camera 1's next frame: a little way on as it went.
+            if (!hand.IsInterpolated && Math.Abs(hand.DeltaUs) <= LearnUs)
+                hand.Hand.MuzzleMm -= hand.MuzzleVelocityMmS * (hand.DeltaUs * 1e-6);
             if (key < 0 || !_sights.TrySight(key, _camera.ToScreenM(hand.Hand.MuzzleMm), hand.Hand.MuzzleSigmaMm * Axes.MetresPerMillimetre, out Vector3D sight, out double sigma))
                 return hand;
             hand.Hand.SightDirection = _camera.PoseInScreenMm.InverseTransformDirection(sight).Normalized;
