@@ -98,7 +98,7 @@ namespace LaserTracking.Fusion
         public double ColorKeptProbability { get; set; } = 0.97;
 
         /// <summary>Below this probability the shooter is unknown.</summary>
-        public double MinProbability { get; set; } = 0.8;
+        public double MinProbability { get; set; } = 0.9;
 
         /// <summary>A muzzle that far from a shooter's last one, when their own hand is no longer seen, is theirs again. Metres.</summary>
         public double RelinkM { get; set; } = 0.35;

@@ -44,10 +44,14 @@ namespace LaserTracking.Fusion
         public int Count => _count;
 
         /// <param name="hands">One frame's hands, any order of frames.</param>
-        public void Add(HandObservations hands)
+        public void Add(HandObservations hands) => Add(hands, hands.TimeUs);
+
+        /// <param name="hands">One frame's hands, any order of frames.</param>
+        /// <param name="timeUs">When they were seen, in place of the time that they carry.</param>
+        public void Add(HandObservations hands, long timeUs)
         {
             foreach (ref readonly HandObservation hand in hands.Hands)
-                Insert(hand, hands.TimeUs);
+                Insert(hand, timeUs);
         }
 
         public void Clear() => _count = _start = 0;
@@ -65,6 +69,27 @@ namespace LaserTracking.Fusion
             for (int i = 0; i < given; i++)
                 hands[i] = Pair(timeUs, maxInterpolationUs, _found[i]);
             return given;
+        }
+
+        /// <summary>One hand's sightings of a stretch of time, in order; the latest where there is no room for all.</summary>
+        /// <returns>How many were written.</returns>
+        public int CopyTrack(int trackId, long fromUs, long toUs, Span<HandObservation> hands, Span<long> timesUs)
+        {
+            int room = Math.Min(hands.Length, timesUs.Length), copied = 0;
+            for (int i = _count - 1; i >= 0 && copied < room; i--)
+            {
+                int place = Place(i);
+                if (_timesUs[place] < fromUs)
+                    break;
+                if (_timesUs[place] > toUs || _hands[place].TrackId != trackId)
+                    continue;
+                hands[copied] = _hands[place];
+                timesUs[copied++] = _timesUs[place];
+            }
+
+            hands.Slice(0, copied).Reverse();
+            timesUs.Slice(0, copied).Reverse();
+            return copied;
         }
 
         private int Place(int logical)

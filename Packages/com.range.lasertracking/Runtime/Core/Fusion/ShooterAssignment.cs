@@ -45,12 +45,21 @@ namespace LaserTracking.Fusion
             _chosen = new int[shots];
         }
 
+        /// <summary>
+        /// Camera 1's clock minus camera 0's as the shots have told so far, microseconds; frames are taken as that much earlier.
+        /// Positive: they are stamped late.
+        /// </summary>
+        public long HandClockOffsetUs => _hypotheses.Clock.OffsetUs;
+
+        /// <summary>Standard deviation of the last step of that; 0 while nothing has told.</summary>
+        public long HandClockSigmaUs => _hypotheses.Clock.SigmaUs;
+
         /// <summary>Notes one frame of camera 1, its time on camera 0's clock. Frames may come before or after the shots they belong to.</summary>
         public void AddHands(HandObservations hands)
         {
             _hypotheses.Add(hands);
             foreach (ref readonly HandObservation hand in hands.Hands)
-                _registry.See(ShotHypotheses.KeyOf(hand), _camera.ToScreenM(hand.MuzzleMm), hands.TimeUs);
+                _registry.See(ShotHypotheses.KeyOf(hand), _camera.ToScreenM(hand.MuzzleMm), hands.TimeUs - HandClockOffsetUs);
         }
 
         /// <summary>One shot that is alone in its frame.</summary>
@@ -91,6 +100,7 @@ namespace LaserTracking.Fusion
                 fused[i] = Decide(i, shots[i], _hypotheses.Columns);
             for (int i = 0; i < count; i++)
             {
+                _hypotheses.NoteTime(i, shots[i], screenM[i], new ReadOnlySpan<double>(_probability, i * _settings.MaxHands, _hypotheses.Columns));
                 for (int k = 0; k < _hypotheses.Columns; k++)
                     _hypotheses.Learn(i, k, screenM[i], shots[i].Dot.Color, _probability[i * _settings.MaxHands + k]);
             }

@@ -14,6 +14,9 @@ namespace LaserTracking.Fusion
     {
         /// <summary>Learned from only when that well seen and that near in time.</summary>
         private const double MaxLearnSigmaM = 0.1;
+
+        /// <summary>Dots that move less during an exposure do not tell the time.</summary>
+        private const double MovingDotPx = 1.5;
         private const long LearnUs = 60_000;
 
         /// <summary>Of one person's sightings those count that are hardly older than the nearest.</summary>
@@ -35,6 +38,7 @@ namespace LaserTracking.Fusion
             _settings = settings;
             _history = new HandHistory(settings.HistoryLength);
             _sights = new SightLines(settings);
+            Clock = new HandClock(camera);
             _hands = new PairedHand[settings.MaxHands];
             _keys = new int[settings.MaxHands];
             _weights = new double[settings.MaxShots * settings.MaxHands];
@@ -42,6 +46,8 @@ namespace LaserTracking.Fusion
         }
 
         public HandHistory History => _history;
+
+        public HandClock Clock { get; }
 
         public int Columns { get; private set; }
 
@@ -57,13 +63,16 @@ namespace LaserTracking.Fusion
         {
             _history.Clear();
             _sights.Clear();
+            Clock.Clear();
         }
 
         public void Add(HandObservations hands)
         {
-            _history.Add(hands);
+            long timeUs = hands.TimeUs - Clock.OffsetUs;
+            _history.Add(hands, timeUs);
             foreach (ref readonly PersonObservation person in hands.People)
-                _sights.See(person, _camera, hands.TimeUs);
+                _sights.See(person, _camera, timeUs);
+            Clock.Update(timeUs, _history, _sights);
         }
 
         public static int KeyOf(in HandObservation hand) => hand.PersonId > 0 ? hand.PersonId : -hand.TrackId;
@@ -112,6 +121,22 @@ namespace LaserTracking.Fusion
             double surprise = pair.SightErrorRad / (3 * SightSigmaRad(_keys[column], pair));
             if (pair.HasMuzzle && surprise < 1 && Math.Abs(pair.PairDeltaUs) <= LearnUs && pair.MuzzleSigmaM < MaxLearnSigmaM)
                 _sights.Learn(_keys[column], pair.MuzzleM, pair.MuzzleSigmaM, new Vector3D(screenM.X, screenM.Y, 0) - pair.MuzzleM, probability * (1 - surprise * surprise));
+        }
+
+        /// <summary>
+        /// Notes a shot whose dot moves for camera 1's clock, for the likeliest person: with a clock that is off nobody's line meets it well
+        /// enough to be named.
+        /// </summary>
+        public void NoteTime(int row, in Shot shot, Vector2D screenM, ReadOnlySpan<double> probabilities)
+        {
+            if (shot.Dot.StreakPx.LengthSquared < MovingDotPx * MovingDotPx)
+                return;
+            for (int k = 0; k < Columns; k++)
+            {
+                ref readonly FusedShot pair = ref _pairs[row * _settings.MaxHands + k];
+                if (probabilities[k] > 0.5 && _keys[k] > 0 && pair.HasMuzzle)
+                    Clock.Note(_keys[k], pair.HandTrackId, shot.TimeUs, new Vector3D(screenM.X, screenM.Y, 0));
+            }
         }
 
         private void GatherHands(long timeUs) =>

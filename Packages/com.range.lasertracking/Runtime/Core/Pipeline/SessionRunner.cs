@@ -82,7 +82,7 @@ namespace LaserTracking.Pipeline
             if (!_hasProcessed)
                 _firstTimeUs = Current.TimeUs;
             _hasProcessed = true;
-            while (_hasHandFrame && _handFrame.TimeUs <= Current.TimeUs)
+            while (_hasHandFrame && _handFrame.TimeUs - _pipeline.HandClockOffsetUs <= Current.TimeUs)
             {
                 HasHandsInTime |= _handFrame.TimeUs >= _firstTimeUs;
                 _pipeline.ProcessHands(_handFrame);

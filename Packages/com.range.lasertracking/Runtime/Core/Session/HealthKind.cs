@@ -47,5 +47,8 @@ namespace LaserTracking.Session
 
         /// <summary>Camera 1 falls silent or comes back. Value: seconds without a picture of it.</summary>
         HandCamera = 14,
+
+        /// <summary>Camera 1's clock is off camera 0's. Value: seconds that it is ahead.</summary>
+        HandClock = 15,
     }
 }
