@@ -97,6 +97,12 @@ namespace LaserTracking.Fusion
         /// <summary>Probability that a shooter's next dot shows their usual colour.</summary>
         public double ColorKeptProbability { get; set; } = 0.97;
 
+        /// <summary>
+        /// How much more others who may have fired count in what is said than in what is reckoned: lines of sight err together more often
+        /// than a normal distribution lets them. Fitted so that shooter_p is met (simulated range, seeds 1 to 3).
+        /// </summary>
+        public double RivalWeight { get; set; } = 3;
+
         /// <summary>Below this probability the shooter is unknown.</summary>
         public double MinProbability { get; set; } = 0.9;
 
@@ -134,6 +140,7 @@ namespace LaserTracking.Fusion
             Check(ViewMargin >= 0 && ViewMargin < 0.5 && ReachM > 0 && ReachSigmaM > 0 && NeighbourShare >= 0 && NeighbourShare <= 1, "ViewMargin 0…0.5, lengths above zero, NeighbourShare 0…1");
             Check(ScreenAreaM2 > 0, "ScreenAreaM2 above zero");
             Check(ColorKeptProbability > 0.25 && ColorKeptProbability < 1, "ColorKeptProbability between 0.25 and 1");
+            Check(RivalWeight > 0, "RivalWeight above zero");
             Check(MinProbability >= 0 && MinProbability <= 1, "MinProbability 0…1");
             Check(MaxShots >= 1 && MaxShots <= 64 && MaxHands >= 1 && MaxHands <= 64, "MaxShots and MaxHands 1…64");
             Check(HistoryLength >= 16 && HistoryLength <= 1 << 20, "HistoryLength 16…1048576");

@@ -199,14 +199,19 @@ namespace LaserTracking.Fusion
                 return default;
             FusedShot fused = _hypotheses.Pairs[row + column];
             int shooter = _shooters[row + column], key = _hypotheses.Keys[column];
-            double probability = _probability[row + column];
             // Under whichever key they are seen, the shooter is the same.
+            double mine = 0, rivals = 0, all = 0;
             for (int k = 0; k < columns; k++)
             {
-                if (k != column && shooter != 0 && _shooters[row + k] == shooter)
-                    probability += _probability[row + k];
+                double part = _probability[row + k];
+                all += part;
+                if (k == column || (shooter != 0 && _shooters[row + k] == shooter))
+                    mine += part;
+                else
+                    rivals += part;
             }
 
+            double probability = mine / (mine + _settings.RivalWeight * rivals + Math.Max(0, 1 - all));
             if (probability < _settings.MinProbability)
                 return default;
             bool hasEyes = _hypotheses.TryEyes(key, out Vector3D eyes);
