@@ -98,7 +98,7 @@ namespace LaserTracking.Fusion
         public double ColorKeptProbability { get; set; } = 0.97;
 
         /// <summary>
-        /// How much more others who may have fired count in what is said than in what is reckoned: lines of sight err together more often
+        /// How much more others who aim near the dot count in what is said than in what is reckoned: lines of sight err together more often
         /// than a normal distribution lets them. Fitted so that shooter_p is met (simulated range, seeds 1 to 3).
         /// </summary>
         public double RivalWeight { get; set; } = 3;

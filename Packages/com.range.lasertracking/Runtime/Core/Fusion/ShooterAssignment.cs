@@ -13,6 +13,9 @@ namespace LaserTracking.Fusion
     /// </summary>
     public sealed class ShooterAssignment
     {
+        /// <summary>Whose line of sight passes farther from the dot is no rival by an error of that line.</summary>
+        private const double RivalRad = 0.2;
+
         private readonly HandCamera _camera;
         private readonly FusionSettings _settings;
         private readonly ShotHypotheses _hypotheses;
@@ -208,10 +211,10 @@ namespace LaserTracking.Fusion
                 if (k == column || (shooter != 0 && _shooters[row + k] == shooter))
                     mine += part;
                 else
-                    rivals += part;
+                    rivals += part * (_hypotheses.Pairs[row + k].HasMuzzle && _hypotheses.Pairs[row + k].SightErrorRad < RivalRad ? _settings.RivalWeight : 1);
             }
 
-            double probability = mine / (mine + _settings.RivalWeight * rivals + Math.Max(0, 1 - all));
+            double probability = mine / (mine + rivals + Math.Max(0, 1 - all));
             if (probability < _settings.MinProbability)
                 return default;
             bool hasEyes = _hypotheses.TryEyes(key, out Vector3D eyes);
