@@ -63,6 +63,8 @@ namespace LaserTracking.Repository
                     ".mat" => "mainObjectFileID: 2100000",
                     ".md" => "TextScriptImporter:",
                     ".json" => path == RepositoryFiles.Package + "/package.json" ? "PackageManifestImporter:" : "TextScriptImporter:",
+                    ".prefab" => "PrefabImporter:",
+                    ".tss" => "ScriptedImporter:",
                     ".dll" => "PluginImporter:",
                     _ => "DefaultImporter:",
                 };

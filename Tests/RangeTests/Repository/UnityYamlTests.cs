@@ -26,6 +26,11 @@ namespace LaserTracking.Repository
 
         private static IEnumerable<string> Files => RepositoryFiles.YamlFiles();
 
+        // Of Unity's own scripts those that are used: PanelSettings, UIDocument.
+        private static readonly string[] BuiltInScripts = { "{fileID: 19101, guid: 0000000000000000e000000000000000, type: 0}", "{fileID: 19102, guid: 0000000000000000e000000000000000, type: 0}" };
+
+        private static IEnumerable<string> Hierarchies => Files.Where(path => path.EndsWith(".unity", StringComparison.Ordinal) || path.EndsWith(".prefab", StringComparison.Ordinal));
+
         private static IEnumerable<string> Scenes => Files.Where(path => path.EndsWith(".unity", StringComparison.Ordinal));
 
         [TestCaseSource(nameof(Files))]
@@ -91,13 +96,15 @@ namespace LaserTracking.Repository
         {
             foreach (YamlDocument document in YamlDocument.Read(path).Where(document => document.ClassId == 114))
             {
+                if (document.Lines.Any(line => BuiltInScripts.Any(script => line == "  m_Script: " + script)))
+                    continue;
                 Assert.That(AssetOfGuid.TryGetValue(document.ScriptGuid, out string? script), Is.True, document + ": script " + document.ScriptGuid);
                 Assert.That(script, Does.EndWith(".cs"), document.ToString());
                 Assert.That(RepositoryFiles.Read(script!), Does.Match("class " + Path.GetFileNameWithoutExtension(script) + @"\b[^{]*:"), document.ToString());
             }
         }
 
-        [TestCaseSource(nameof(Scenes))]
+        [TestCaseSource(nameof(Hierarchies))]
         public void Scene_Hierarchy_AgreesInBothDirections(string path)
         {
             List<YamlDocument> documents = YamlDocument.Read(path);
@@ -131,6 +138,13 @@ namespace LaserTracking.Repository
             Assert.That(roots.ClassId, Is.EqualTo(SceneRoots), "the list of roots closes a scene");
             Assert.That(roots.FileId, Is.EqualTo(long.MaxValue));
             Assert.That(roots.Ids("m_Roots"), Is.EquivalentTo(documents.Where(document => document.ClassId == Transform && document.Ids("m_Father").Single() == 0).Select(document => document.FileId)));
+        }
+
+        [TestCaseSource(nameof(Hierarchies))]
+        public void Prefab_Root_IsOne(string path)
+        {
+            if (path.EndsWith(".prefab", StringComparison.Ordinal))
+                Assert.That(YamlDocument.Read(path).Count(document => document.ClassId == Transform && document.Ids("m_Father").Single() == 0), Is.EqualTo(1));
         }
 
         [Test]

@@ -31,9 +31,19 @@ namespace LaserTracking.Scenes
                 Assert.Ignore("the Unity layer is not there yet: " + Relative(name));
             string guid = Regex.Match(File.ReadAllText(script + ".meta"), "^guid: ([0-9a-f]{32})$", RegexOptions.Multiline).Groups[1].Value;
             Assert.That(ProductScripts.ClassByGuid.GetValueOrDefault(guid), Is.EqualTo(name));
-            IEnumerable<string> fields = Regex.Matches(File.ReadAllText(script),
+            string source = File.ReadAllText(script);
+            if (source.Contains(": ShotEmitter", StringComparison.Ordinal))
+                source += File.ReadAllText(Path.Combine(TestFiles.Repository, Relative("ShotEmitter")));
+            IEnumerable<string> fields = Regex.Matches(source,
                 @"\[SerializeField\](?:\s*\[(?:""[^""]*""|[^\]""])*\])*\s*private\s[^;=]*?\s(_\w+)\s*[=;]").Select(match => match.Groups[1].Value);
             Assert.That(fields, Is.EquivalentTo(ProductScripts.FieldsByClass[name].Concat(ProductScripts.EventsByClass.GetValueOrDefault(name, Array.Empty<string>()))));
+        }
+
+        [Test]
+        public void ProductScripts_ShowingComponents_AreThoseOfTheirGuids()
+        {
+            foreach ((string guid, string name) in ProductScripts.ShowingByGuid)
+                Assert.That(File.ReadAllText(Path.Combine(TestFiles.Repository, Relative(name) + ".meta")), Does.Contain("guid: " + guid), name);
         }
 
         private static string Relative(string name) => "Packages/com.range.lasertracking/Runtime/Unity/" + name + ".cs";

@@ -9,7 +9,7 @@ namespace UnityEngine
     {
         public static ScriptableObject CreateInstance(Type type)
         {
-            var created = (ScriptableObject)Activator.CreateInstance(type);
+            var created = (ScriptableObject)Activator.CreateInstance(type, nonPublic: true);
             created.Send("Awake");
             created.Send("OnEnable");
             return created;

@@ -50,6 +50,8 @@ namespace UnityStandIn
         {
             World.Clear();
             ConsoleLog.Clear();
+            Desk.Reset();
+            WebCams.Reset();
             Time.frameCount = 0;
             Time.timeAsDouble = Time.fixedTimeAsDouble = 0;
             Time.deltaTime = 0;

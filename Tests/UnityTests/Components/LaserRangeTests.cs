@@ -67,7 +67,7 @@ namespace LaserTracking.Unity
             // Unity's clock is not at zero when the range begins, and stutters just before the shot.
             PlayerLoop.Step(3.7);
             rig.Play(0.9);
-            PlayerLoop.Step(0.4);
+            rig.Step(0.4);
             rig.Play(0.5);
             Assert.That(rig.Shots.Single().HasHit, Is.True);
             Assert.That(rig.Shots[0].Hit.LocalPointM.X, Is.EqualTo(0).Within(0.02));
@@ -84,7 +84,7 @@ namespace LaserTracking.Unity
             target.gameObject.SetActive(true);
             PlayerLoop.Step(2);
             rig.Range.gameObject.SetActive(true);
-            PlayerLoop.Step(0.5);
+            rig.Step(0.5);
             Assert.That(motion.ClockOffsetS, Is.EqualTo(0.1 - 2.5).Within(1e-9));
         }
 
@@ -205,7 +205,7 @@ namespace LaserTracking.Unity
             target.gameObject.SetActive(true);
             PlayerLoop.Step(2);
             rig.Range.gameObject.SetActive(true);
-            PlayerLoop.Step(0.5);
+            rig.Step(0.5);
             Assert.That(motion.ClockOffsetS, Is.EqualTo(1 - 2.5).Within(1e-9), "the first frame is at scene time 1 s");
         }
 

@@ -37,6 +37,7 @@ namespace LaserTracking.Unity
             unityEvent.AddListener(shot => UnityEventShots.Add(shot));
             SerializedFields.Set(Range, "_shotFired", unityEvent);
             Range.ShotFired += shot => Shots.Add(shot);
+            Range.HealthChanged += health => Health.Add(health);
         }
 
         public static string Calibration =>
@@ -51,6 +52,8 @@ namespace LaserTracking.Unity
         public LaserRange Range { get; }
 
         public List<ShotEvent> Shots { get; } = new List<ShotEvent>();
+
+        public List<HealthEvent> Health { get; } = new List<HealthEvent>();
 
         public List<ShotEvent> UnityEventShots { get; } = new List<ShotEvent>();
 
@@ -68,6 +71,14 @@ namespace LaserTracking.Unity
             return target;
         }
 
+        /// <summary>At the eye, looking at the screen.</summary>
+        public static Camera AddMainCamera()
+        {
+            var owner = new GameObject("Main Camera") { tag = "MainCamera" };
+            owner.transform.position = new Vector3(0, 0, -(float)EyeDistanceM);
+            return owner.AddComponent<Camera>();
+        }
+
         public static TargetDefinitionAsset Definition(string name, float sizeM)
         {
             TargetDefinitionAsset asset = ScriptableObject.CreateInstance<TargetDefinitionAsset>();
@@ -79,12 +90,19 @@ namespace LaserTracking.Unity
             return asset;
         }
 
+        /// <summary>One frame of the player, and whatever frames of the camera are due by then.</summary>
+        public void Step(double seconds)
+        {
+            PlayerLoop.Step(seconds);
+            Range.CompleteDueFrames();
+        }
+
         /// <summary>Plays at 60 frames a second.</summary>
         public void Play(double seconds)
         {
             Range.gameObject.SetActive(true);
             for (int i = 0; i < seconds * 60; i++)
-                PlayerLoop.Step(1 / 60.0);
+                Step(1 / 60.0);
         }
     }
 }

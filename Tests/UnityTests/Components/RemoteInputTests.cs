@@ -5,7 +5,9 @@ using System.Net;
 using System.Net.Sockets;
 using System.Text;
 using System.Threading;
+using LaserTracking.Geometry;
 using LaserTracking.Remote;
+using LaserTracking.Scoring;
 using LaserTracking.Session;
 using NUnit.Framework;
 using UnityEngine;
@@ -67,6 +69,61 @@ namespace LaserTracking.Unity
             Play(() => _shots.Count == 2);
             Assert.That(_shots.Select(shot => (shot.Shot.Id, shot.HasHit)), Is.EqualTo(new[] { (1, true), (2, false) }));
             Assert.That((_shots[0].Hit.Target, _shots[0].Hit.Points, reported), Is.EqualTo(("plate", 5, 1)));
+        }
+
+        [Test]
+        public void RemoteInput_PublishedShot_IsPlacedByFlipFromCameraZeroAndHits()
+        {
+            RangeRig.AddPlate("plate", new Vector3(1, 0.6f, 4), 0.3f).gameObject.SetActive(true);
+            RemoteInput input = Create();
+            SerializedFields.Set(input, "_aim", AimRay.Muzzle);
+            var camera = new GameObject("camera 0");
+            camera.transform.position = new Vector3(0.2f, 0.1f, -2.5f);
+            SerializedFields.Set(input, "_camera", camera.transform);
+            input.gameObject.SetActive(true);
+
+            // In the scene the muzzle is at (0.2, -0.3, -2) and points at the plate's middle; y is down in the message.
+            Vector3D muzzle = new Vector3D(0.2, -0.3, -2), along = (new Vector3D(1, 0.6, 4) - muzzle).Normalized;
+            string text = FormattableString.Invariant($"{{\"timestamp\":7.5,\"muzzle\":[0,400,500],\"direction\":[{along.X},{-along.Y},{along.Z}],\"confidence\":0.9,\"shot\":true}}");
+            Send(input.EndPoint!, text);
+            Play(() => _shots.Count == 1);
+            Assert.That((_shots[0].HasHit, _shots[0].Hit.Target), Is.EqualTo((true, "plate")));
+            Assert.That(_shots[0].Hit.LocalPointM.Length, Is.LessThan(0.002));
+            Assert.That(_shots[0].ScreenM.X - 3.73 / 2, Is.EqualTo(0.2 + along.X / along.Z * 2).Within(1e-4), "through the screen's plane");
+            Assert.That(input.TryGetAim(out Ray ray), Is.True);
+            Assert.That((ray.origin - muzzle.ToUnity()).magnitude, Is.LessThan(1e-4f));
+            Assert.That(ConsoleLog.Entries, Is.Empty);
+        }
+
+        [Test]
+        public void RemoteInput_PublishedShotWithoutCamera_SaysSoOnce()
+        {
+            RemoteInput input = Create();
+            input.gameObject.SetActive(true);
+            for (int i = 0; i < 3; i++)
+                Send(input.EndPoint!, "{\"timestamp\":" + (7 + i) + ",\"muzzle\":[0,0,0],\"direction\":[0,0,1],\"shot\":true}");
+            Play(() => _shots.Count == 3);
+            Assert.That(ConsoleLog.Entries.Single().Message, Does.Contain("where camera 0 stands is not known"));
+            Assert.That(_shots.Any(shot => shot.HasHit), Is.False);
+        }
+
+        [Test]
+        public void RemoteInput_ShotThatWasUnderWay_MeetsTheTargetWhereItWasThen()
+        {
+            LaserTarget plate = RangeRig.AddPlate("runner", new Vector3(0, 0, 4), 0.4f);
+            TargetMotion motion = plate.gameObject.AddComponent<TargetMotion>();
+            SerializedFields.Set(motion, "_kind", MotionKind.PingPong);
+            SerializedFields.Set(motion, "_travelM", new Vector3(10, 0, 0));
+            SerializedFields.Set(motion, "_periodS", 20f);
+            plate.gameObject.SetActive(true);
+            RemoteInput input = Create();
+            SerializedFields.Set(input, "_latencyS", 2f);
+            PlayerLoop.Step(2);
+            input.gameObject.SetActive(true);
+            Send(input.EndPoint!, Shot(1, "[1.865,1.13]"));
+            Play(() => _shots.Count == 1);
+            Assert.That(plate.transform.position.x, Is.GreaterThan(1.9f), "one metre a second");
+            Assert.That((_shots[0].HasHit, _shots[0].Hit.Target), Is.EqualTo((true, "runner")));
         }
 
         [Test]

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Threading;
 using LaserTracking.Capture;
 using LaserTracking.Imaging;
 
@@ -16,6 +17,7 @@ namespace LaserTracking.Unity
         private readonly int _frames;
         private readonly long _startUs;
         private readonly (int Frame, int X, int Y)[] _flashes;
+        private readonly long[] _allocated = new long[1024];
         private int _next;
 
         public StubSource(int frames, long startUs, params (int Frame, int X, int Y)[] flashes)
@@ -31,9 +33,37 @@ namespace LaserTracking.Unity
 
         public bool IsDisposed { get; private set; }
 
+        /// <summary>The least that the reading thread allocated in any twenty frames from one to another, everything between two reads included.</summary>
+        public long LeastAllocatedIn20Frames(int from, int to)
+        {
+            long least = long.MaxValue;
+            for (int i = from; i + 20 <= to; i += 20)
+                least = Math.Min(least, _allocated[i + 20] - _allocated[i]);
+            return least;
+        }
+
+        /// <summary>The thread that reads.</summary>
+        public Thread? Reader { get; private set; }
+
+        /// <summary>A device that answers no more: the next read comes back when this is set.</summary>
+        public ManualResetEventSlim? HangsUntil { get; set; }
+
+        /// <summary>Frames after which it throws; 0: never.</summary>
+        public int BreaksAfter { get; set; }
+
+        /// <summary>Real milliseconds from frame to frame, as of a camera.</summary>
+        public int PaceMs { get; set; }
+
         public bool TryRead(Frame frame)
         {
-            if (_next >= _frames)
+            Reader = Thread.CurrentThread;
+            _allocated[_next % _allocated.Length] = GC.GetAllocatedBytesForCurrentThread();
+            HangsUntil?.Wait();
+            if (PaceMs > 0)
+                Thread.Sleep(PaceMs);
+            if (BreaksAfter > 0 && _next >= BreaksAfter)
+                throw new InputException("stub", "breaks", "mend it");
+            if (_next >= _frames || IsDisposed)
                 return false;
             long timeUs = _startUs + _next * FrameIntervalUs;
             frame.Begin(_next, timeUs);

@@ -10,6 +10,10 @@ namespace LaserTracking.Unity
 
         public double Latency { get; set; }
 
+        public bool Live { get; set; }
+
+        public override bool IsLive => Live;
+
         public long OffsetUs { get; set; }
 
         public long? SceneZeroUs { get; set; }

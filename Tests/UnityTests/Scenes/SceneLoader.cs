@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using UnityEngine;
+using UnityEngine.UIElements;
 using UnityStandIn;
 using YamlDotNet.RepresentationModel;
 using Object = UnityEngine.Object;
@@ -19,8 +20,9 @@ namespace LaserTracking.Unity
         private const int TransformClass = 4;
         private const int ScriptClass = 114;
 
-        // Camera, AudioListener, Light, MeshRenderer, MeshFilter; settings and roots of the scene.
-        private static readonly int[] NotModelled = { 20, 81, 108, 23, 33, 29, 104, 157, 196, 1660057539 };
+        // AudioListener, Light, MeshFilter; settings and roots of the scene.
+        private static readonly int[] NotModelled = { 81, 108, 33, 29, 104, 157, 196, 1660057539 };
+        private const string UnitysScripts = "0000000000000000e000000000000000";
         private static readonly string[] UnitysOwn = { "m_ObjectHideFlags", "m_CorrespondingSourceObject", "m_PrefabInstance", "m_PrefabAsset", "m_GameObject", "m_Enabled", "m_EditorHideFlags", "m_Script", "m_Name", "m_EditorClassIdentifier" };
 
         private readonly UnityYamlFile _file;
@@ -75,6 +77,10 @@ namespace LaserTracking.Unity
                     _made.Add(component.FileId, made.transform);
                 else if (component.ClassId == ScriptClass)
                     _made.Add(component.FileId, made.AddComponent(ScriptType(component)));
+                else if (component.ClassId == 20)
+                    made.AddComponent<Camera>().fieldOfView = component.Number("field of view");
+                else if (component.ClassId == 23)
+                    made.AddComponent<MeshRenderer>();
                 else if (!NotModelled.Contains(component.ClassId))
                     _made.Add(component.FileId, AddCollider(made, component));
             }
@@ -148,6 +154,10 @@ namespace LaserTracking.Unity
                 string path = _pathOfGuid[guid];
                 if (type == typeof(TextAsset))
                     return new TextAsset(File.ReadAllText(path));
+                if (path.EndsWith(".mat", StringComparison.Ordinal))
+                    return new Material(null) { name = Path.GetFileNameWithoutExtension(path) };
+                if (path.EndsWith(".tss", StringComparison.Ordinal))
+                    return null;
                 UnityYamlObject document = new UnityYamlFile(path).Documents.Single();
                 asset = ScriptableObject.CreateInstance(ScriptType(document));
                 asset.name = document.Text("m_Name");
@@ -160,8 +170,10 @@ namespace LaserTracking.Unity
 
         private Type ScriptType(UnityYamlObject document)
         {
-            string guid = UnityYamlObject.Reference(document.Field("m_Script")).Guid!;
-            string name = Path.GetFileNameWithoutExtension(_pathOfGuid[guid]);
+            (long id, string? guid) = UnityYamlObject.Reference(document.Field("m_Script"));
+            if (guid == UnitysScripts)
+                return id == 19101 ? typeof(PanelSettings) : id == 19102 ? typeof(UIDocument) : throw new NotSupportedException("built-in script " + id);
+            string name = Path.GetFileNameWithoutExtension(_pathOfGuid[guid!]);
             return typeof(LaserRange).Assembly.GetTypes().Single(type => type.Name == name);
         }
     }

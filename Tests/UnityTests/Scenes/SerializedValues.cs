@@ -50,6 +50,10 @@ namespace LaserTracking.Unity
                 return new Vector2(UnityYamlObject.Number(node["x"]), UnityYamlObject.Number(node["y"]));
             if (type == typeof(Vector3))
                 return UnityYamlObject.Vector(node);
+            if (type == typeof(Color))
+                return new Color(UnityYamlObject.Number(node["r"]), UnityYamlObject.Number(node["g"]), UnityYamlObject.Number(node["b"]), UnityYamlObject.Number(node["a"]));
+            if (type == typeof(bool))
+                return ((YamlScalarNode)node).Value == "1";
             if (type.IsArray)
             {
                 YamlNode[] items = ((YamlSequenceNode)node).ToArray();

@@ -107,8 +107,7 @@ namespace LaserTracking.Unity
             source.Create = () => new StubSource(45, 0, (30, (int)Math.Round(dotM.X / 3.73 * 640), (int)Math.Round(dotM.Y / 2.26 * 480)));
             SerializedFields.Set(range, "_source", source);
             SerializedFields.Set(World<ScreenSurface>(), "_calibration", new TextAsset(RangeRig.Calibration));
-            for (int i = 0; i < 120; i++)
-                PlayerLoop.Step(1 / 60.0);
+            Play(range, 120);
             Assert.That(ConsoleLog.Entries, Is.Empty);
             Assert.That(hits, Is.EqualTo(1), aimedAt.Name);
         }
@@ -139,8 +138,7 @@ namespace LaserTracking.Unity
 
             // Unity begins late and with a stutter: neither may show in the result.
             PlayerLoop.Step(0.4);
-            for (int i = 0; i < 100; i++)
-                PlayerLoop.Step(1 / 60.0);
+            Play(World<LaserRange>(), 100);
             Assert.That(ConsoleLog.Entries, Is.Empty);
             List<ShotEvent> headless = HeadlessShots(range);
             Assert.That(shots.Select(Describe), Is.EqualTo(headless.Select(Describe)));
@@ -163,7 +161,7 @@ namespace LaserTracking.Unity
 
         private static List<ShotEvent> HeadlessShots(SimulatedRange range)
         {
-            var sink = new ShotQueue(new GameObject("headless"));
+            var sink = new EventInbox();
             var settings = new PipelineSettings { SceneTimeZeroUs = range.Truth.ColorClockUs(0) };
             var pipeline = RangePipeline.CreateDefault(new ShotDetector(), range.Calibration, true, new ShotScorer(range.Scene), sink, settings);
             using (IFrameSource color = range.CreateColorSource(), depth = range.CreateDepthSource())
@@ -171,7 +169,7 @@ namespace LaserTracking.Unity
                 runner.Run(System.Threading.CancellationToken.None);
             pipeline.End(0);
             var shots = new List<ShotEvent>();
-            while (sink.TryTake(out ShotEvent shot))
+            while (sink.TryTakeShot(out ShotEvent shot))
                 shots.Add(shot);
             return shots;
         }
@@ -229,6 +227,15 @@ namespace LaserTracking.Unity
             }
 
             return true;
+        }
+
+        private static void Play(LaserRange range, int frames)
+        {
+            for (int i = 0; i < frames; i++)
+            {
+                PlayerLoop.Step(1 / 60.0);
+                range.CompleteDueFrames();
+            }
         }
 
         private static List<LaserTarget> Targets() => PlayerLoop.All<LaserTarget>();

@@ -33,15 +33,29 @@ namespace LaserTracking.Unity
             var shots = new List<ShotEvent>();
             LaserRange range = PlayerLoop.All<LaserRange>().Single();
             range.ShotFired += shot => shots.Add(shot);
+            int dots = 0, hands = 0;
+            range.DotMoved += _ => dots++;
+            range.HandMoved += _ => hands++;
             var hits = new List<string>();
             foreach (LaserTarget target in PlayerLoop.All<LaserTarget>())
                 target.Hit += _ => hits.Add(target.name);
 
             for (int i = 0; i < PlayedS * 60; i++)
+            {
                 PlayerLoop.Step(1 / 60.0);
+                range.CompleteDueFrames();
+            }
+
             Assert.That(ConsoleLog.Entries, Is.Empty);
             Assert.That(range.IsRunning, Is.True);
+            PlayerLoop.Step(1 / 60.0);
+            ShotVisuals visuals = PlayerLoop.All<ShotVisuals>().Single();
+            ScoreSheet sheet = PlayerLoop.All<Scoreboard>().Single().Sheet;
+            Assert.That(visuals.HolesShown, Is.EqualTo(shots.Count), "every shot leaves a mark: on a target or on what is behind");
+            Assert.That((sheet.Total.Shots, sheet.Total.Hits + sheet.Total.Mistakes), Is.EqualTo((shots.Count, hits.Count)));
+            Assert.That(sheet.Shooters.Select(row => row.Number).Where(number => number > 0).Count(), Is.GreaterThanOrEqualTo(2));
             range.gameObject.SetActive(false);
+            Assert.That((visuals.HolesShown, visuals.RaysShown), Is.EqualTo((0, 0)));
 
             List<ShotEvent> headless = HeadlessShots(out SimulationTruth truth);
             Assert.That(shots.Select(Describe), Is.EqualTo(headless.Select(Describe)));
@@ -52,6 +66,8 @@ namespace LaserTracking.Unity
             }
 
             Assert.That(hits, Is.EqualTo(shots.Where(shot => shot.HasHit).Select(shot => shot.Hit.Target)));
+            Assert.That(dots, Is.GreaterThanOrEqualTo(shots.Count));
+            Assert.That(hands, Is.GreaterThan(100), "three shooters' hands in a hundred frames");
             Assert.That(shots.Count(shot => shot.HasMuzzle), Is.GreaterThan(0), "camera 1 plays too");
             string[] aimedAt = truth.Shots.Where(shot => shot.SceneTimeUs < 3.9e6).Select(shot => shot.AimedAt).ToArray();
             Assert.That(aimedAt, Has.Length.EqualTo(6), "what the scenario fires until then");
@@ -100,7 +116,7 @@ namespace LaserTracking.Unity
             SimulationScenario scenario = SimulationScenarioFile.Read(Path.Combine(TestFiles.Repository, "Assets", "Sources", "demo.scenario.json"));
             var range = new SimulatedRange(scenario, UnitySceneReader.Read(Scene));
             truth = range.Truth;
-            var sink = new ShotQueue(new GameObject("headless"));
+            var sink = new EventInbox();
             long zeroUs = range.Truth.ColorClockUs(0);
             var pipeline = RangePipeline.CreateDefault(new ShotDetector(), range.Calibration, true, new ShotScorer(range.Scene), sink, new PipelineSettings { SceneTimeZeroUs = zeroUs });
             using (var stop = new CancellationTokenSource())
@@ -117,7 +133,7 @@ namespace LaserTracking.Unity
 
             pipeline.End(0);
             var shots = new List<ShotEvent>();
-            while (sink.TryTake(out ShotEvent shot))
+            while (sink.TryTakeShot(out ShotEvent shot))
                 shots.Add(shot);
             return shots;
         }

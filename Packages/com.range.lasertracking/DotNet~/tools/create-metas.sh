@@ -18,9 +18,12 @@ find Packages/com.range.lasertracking Assets -mindepth 1 \( -name '.*' -o -name 
       */package.json) printf 'PackageManifestImporter:\n  externalObjects: {}\n' ;;
       *.asset | *.mat) printf 'NativeFormatImporter:\n  externalObjects: {}\n  mainObjectFileID: %s\n' "$(case "$path" in *.mat) echo 2100000 ;; *) echo 11400000 ;; esac)" ;;
       *.md | *.json | *.txt) printf 'TextScriptImporter:\n  externalObjects: {}\n' ;;
+      *.prefab) printf 'PrefabImporter:\n  externalObjects: {}\n' ;;
+      *.tss) printf 'ScriptedImporter:\n  internalIDToNameTable: []\n  externalObjects: {}\n  serializedVersion: 2\n' ;;
       *) printf 'DefaultImporter:\n  externalObjects: {}\n' ;;
     esac; fi
     printf '  userData: \n  assetBundleName: \n  assetBundleVariant: \n'
+    case "$path" in *.tss) printf '  script: {fileID: 12388, guid: 0000000000000000e000000000000000, type: 0}\n  disableValidation: 0\n' ;; esac
   } > "$meta"
   echo "$meta"
 done

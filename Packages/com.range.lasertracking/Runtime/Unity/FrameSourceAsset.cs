@@ -16,6 +16,12 @@ namespace LaserTracking.Unity
         /// </summary>
         public virtual double LatencyS => 0;
 
+        /// <summary>
+        /// A device that does not wait: when frames come faster than they can be used the oldest are left out, and when it ends or
+        /// cannot be opened it is tried again until it is there. Known before it is opened.
+        /// </summary>
+        public virtual bool IsLive => LatencyS > 0;
+
         /// <summary>Microseconds to add to this source's times to bring them on camera 0's clock, where it is camera 1.</summary>
         public virtual long ClockOffsetUs => 0;
 
@@ -31,7 +37,7 @@ namespace LaserTracking.Unity
         /// <summary>What the source knows of its cameras itself; used when the <see cref="ScreenSurface"/> has no calibration.</summary>
         public virtual RangeCalibration? Calibration => null;
 
-        /// <summary>Opens the source. The caller owns and disposes it.</summary>
+        /// <summary>Opens the source; on the main thread. The caller owns it, reads and disposes it on a thread of its own.</summary>
         /// <param name="range">Plays it; a simulation renders the scene that this range stands in.</param>
         /// <exception cref="InputException">It cannot be opened; the message says what to do.</exception>
         public abstract IFrameSource CreateSource(LaserRange range);
@@ -39,5 +45,21 @@ namespace LaserTracking.Unity
         /// <summary>Camera 1 of the same device, or null: it has none. Owned by the caller too.</summary>
         /// <exception cref="InputException">It cannot be opened; the message says what to do.</exception>
         public virtual IFrameSource? CreateHandSource() => null;
+
+        /// <summary>
+        /// Called on the main thread in every Update while this source plays: for devices that can only be read there. The frame
+        /// source itself is read and disposed on another thread.
+        /// </summary>
+        public virtual void UpdateSource()
+        {
+        }
+
+        /// <summary>
+        /// Called on the main thread when the source shall play no longer, just before its frame source is disposed: a read that waits
+        /// for the device must come back soon.
+        /// </summary>
+        public virtual void ReleaseSource()
+        {
+        }
     }
 }

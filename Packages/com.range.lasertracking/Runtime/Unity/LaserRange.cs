@@ -1,10 +1,6 @@
 using System;
+using System.IO;
 using LaserTracking.Capture;
-using LaserTracking.Detection;
-using LaserTracking.Geometry;
-using LaserTracking.Hands.Model;
-using LaserTracking.Pipeline;
-using LaserTracking.Scoring;
 using LaserTracking.Session;
 using UnityEngine;
 using UnityEngine.Events;
@@ -12,26 +8,16 @@ using UnityEngine.Events;
 namespace LaserTracking.Unity
 {
     /// <summary>
-    /// The range itself: reads frames, finds shots in them, casts them through the screen into the scene and tells who wants to
-    /// know. Runs before other components, so that targets move by the clock it sets.
+    /// The range itself: frames are read and shots found in them on threads of their own; here they are cast through the screen into
+    /// the scene, and who wants to know is told. Runs before other components, so that targets move by the clock it sets.
     /// </summary>
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(-100)]
     [AddComponentMenu("Laser Tracking/Laser Range")]
-    public sealed class LaserRange : MonoBehaviour
+    public sealed class LaserRange : ShotEmitter
     {
-        private const double SizeToleranceM = 0.005;
-
-        [SerializeField]
-        private ScreenSurface? _screen;
-
-        [SerializeField]
-        [Tooltip("Eye from which the picture on the screen is drawn, in front of the screen. Usually the camera.")]
-        private Transform? _viewpoint;
-
-        [SerializeField]
-        [Tooltip("Layers that shots can hit.")]
-        private LayerMask _hitLayers = ~0;
+        /// <summary>A live camera that is not there is tried again after so many seconds.</summary>
+        private const double RetryS = 2;
 
         [SerializeField]
         [Tooltip("Where the frames of camera 0, the one that sees the screen, come from.")]
@@ -46,143 +32,239 @@ namespace LaserTracking.Unity
         private string _handModelFile = "";
 
         [SerializeField]
-        [Tooltip("Called for every shot, hit or miss.")]
-        private UnityEvent<ShotEvent> _shotFired = new UnityEvent<ShotEvent>();
+        [Tooltip("Called for every dot that a laser shows in the newest frame.")]
+        private UnityEvent<DotEvent> _dotMoved = new UnityEvent<DotEvent>();
 
+        [SerializeField]
+        [Tooltip("Called for every hand in camera 1's newest frame.")]
+        private UnityEvent<HandEvent> _handMoved = new UnityEvent<HandEvent>();
+
+        private readonly DotEvent[] _dots = new DotEvent[EventInbox.LatestCapacity];
+        private readonly HandEvent[] _hands = new HandEvent[EventInbox.LatestCapacity];
+        private readonly EventInbox _events = new EventInbox();
         private FramePump? _pump;
-        private ShotQueue? _shots;
-        private PhysicsRaycaster? _raycaster;
-        private HandLandmarkNetwork? _handModel;
+        private Action<Frame>? _look;
         private bool _isOpen;
+        private bool _isLost;
+        private bool _isPrepared;
+        private double _retryAtS;
 
-        /// <summary>Raised on the main thread for every shot, hit or miss, in the order of the shots.</summary>
-        public event Action<ShotEvent>? ShotFired;
+        /// <summary>Raised for every dot of the newest frame since the last Update; older frames' are passed over.</summary>
+        public event Action<DotEvent>? DotMoved;
+
+        /// <summary>The same for the hands of camera 1.</summary>
+        public event Action<HandEvent>? HandMoved;
 
         /// <summary>True while the source still has frames.</summary>
         public bool IsRunning => _pump != null && !_pump.IsAtEnd;
 
-        internal ScreenSurface? Screen => _screen;
+        /// <summary>Where camera 0's frames come from; another one plays from the next Update on.</summary>
+        public FrameSourceAsset? Source
+        {
+            get => _source == null ? null : _source;
+            set
+            {
+                Close();
+                _source = value;
+            }
+        }
 
-        internal Transform? Viewpoint => _viewpoint;
+        internal FrameSourceAsset? HandSource => _handSource == null ? null : _handSource;
 
-        internal int HitLayers => _hitLayers;
+        internal string HandModelFile => _handModelFile;
 
-        private void OnEnable() => _isOpen = false;
+        /// <summary>Records what the detector gets, when there is one.</summary>
+        internal RangeRecorder? Recorder { get; private set; }
+
+        /// <summary>
+        /// Waits until all frames that are due have been processed and raises their events: for tests and replays that must see the same
+        /// in every frame. Without it Unity's thread waits for nobody, and an event comes with the Update after its frame is done.
+        /// </summary>
+        public void CompleteDueFrames()
+        {
+            WaitForDueFrames();
+            RaiseEvents();
+        }
+
+        internal void WaitForDueFrames()
+        {
+            if (_pump == null)
+                return;
+            _pump.CompleteDue();
+            // Its first frame may have come only now, and with it the clock.
+            TellTime(_pump);
+            _pump.CompleteDue();
+        }
+
+        /// <summary>Opens source and calibration anew, in the next Update.</summary>
+        public void Restart() => Close();
+
+        /// <summary>From the next opening on; what is open already is opened anew.</summary>
+        internal void AttachRecorder(RangeRecorder recorder)
+        {
+            Recorder = recorder;
+            if (_pump != null)
+                Restart();
+        }
+
+        /// <summary>The recorder gets no more frames; the range goes on.</summary>
+        internal void DetachFrames() => _pump?.StopRecording();
+
+        /// <summary>While set, camera 0's frames go there instead of to the detector, on the detector's thread.</summary>
+        internal void SetLook(Action<Frame>? look)
+        {
+            _look = look;
+            if (_pump != null)
+                _pump.Look = look;
+        }
+
+        private void OnEnable()
+        {
+            ShotEmitters.Add(this);
+            _isOpen = _isLost = _isPrepared = false;
+        }
 
         private void OnDisable()
         {
-            _pump?.Dispose();
-            RaiseShots();
-            _pump = null;
-            _handModel?.Dispose();
-            _handModel = null;
+            Close();
+            ShotEmitters.Remove(this);
         }
 
         // The sources open here and not in OnEnable: by now every other component of the scene is awake.
         private void Update()
         {
-            if (!_isOpen)
-            {
-                _isOpen = true;
+            if (!_isOpen || (_isLost && Time.timeAsDouble >= _retryAtS))
                 Open();
+            if (_pump != null)
+            {
+                _source!.UpdateSource();
+                if (_handSource != null)
+                    _handSource.UpdateSource();
+                TellTime(_pump);
             }
 
-            if (_pump == null)
-                return;
-            _pump.Update(Time.timeAsDouble);
+            RaiseEvents();
+            if (_pump != null && _source!.IsLive && _pump.IsAtEnd)
+                Lose(_pump);
+        }
+
+        private void TellTime(FramePump pump)
+        {
+            pump.Update(Time.timeAsDouble);
             for (int i = 0; i < MovingTargets.Count; i++)
-                MovingTargets.At(i).ClockOffsetS = _pump.ClockOffsetS;
-            RaiseShots();
+                MovingTargets.At(i).ClockOffsetS = pump.ClockOffsetS;
         }
 
         private void Open()
         {
+            bool isRetry = _isOpen;
+            _isOpen = true;
+            _isLost = false;
+            LaserRange? other = _source == null ? null : OtherRangeWith(_source);
             if (_source == null)
             {
-                Debug.LogWarning("LaserRange " + name + " has no source of frames: drag a frame source asset in", this);
+                Report("LaserRange " + name + " has no source of frames: drag a frame source asset in", false);
                 return;
             }
 
-            IFrameSource? source = null, handSource = null;
+            if (other != null)
+            {
+                Report("LaserRange " + name + ": its source " + _source.name + " already serves LaserRange " + other.name + ", and one camera can serve only one; give this one another source or disable it", true);
+                return;
+            }
+
+            var opening = new RangeOpening(this, _source, Warn);
             try
             {
-                source = _source.CreateSource(this);
-                RangeCalibration? calibration = ReadCalibration(_source);
-                if (calibration?.HandCamera != null)
-                    handSource = _handSource == null ? _source.CreateHandSource() : _handSource.CreateSource(this);
-                long handClockOffsetUs = handSource == null ? 0 : _handSource == null ? _source.HandClockOffsetUs : _handSource.ClockOffsetUs;
-                _shots = new ShotQueue(this);
-                _handModel = handSource == null ? null : OpenHandModel();
-                var settings = new PipelineSettings { SceneTimeZeroUs = _source.SceneTimeZeroUs };
-                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(), calibration, handSource != null, BuildScorer(), _shots, settings, _handModel);
-                pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
-                _pump = new FramePump(pipeline, source, handSource, handClockOffsetUs, _source.SceneTimeZeroUs, _source.LatencyS);
+                _pump = opening.Open(_events);
+                _pump.Look = _look;
+                if (isRetry)
+                    Report("LaserRange " + name + ": the camera of " + _source.name + " is there again", false);
+                if (!_isPrepared && (Screen == null || opening.HasCalibration))
+                    PrepareCasting();
+                _isPrepared = true;
             }
             catch (InputException problem)
             {
-                source?.Dispose();
-                handSource?.Dispose();
-                Debug.LogError(problem.Message, this);
+                if (!isRetry)
+                    Report(problem.Message, true);
+                WaitForCamera();
+            }
+            catch (Exception problem) when (problem is TypeLoadException || problem is FileNotFoundException || problem is BadImageFormatException)
+            {
+                Report("LaserRange " + name + ": the source " + _source.name + " needs a library that is not there or does not fit (" + problem.Message + "); install it, or choose another source", true);
             }
         }
 
-        /// <summary>Without its file hands are found by depth alone.</summary>
-        private HandLandmarkNetwork? OpenHandModel()
+        /// <summary>What is missing is said once, however often a camera comes back.</summary>
+        private void Warn(string text)
         {
-            if (_handModelFile.Length == 0)
-                return null;
-            try
-            {
-                return HandLandmarkNetwork.Open(_handModelFile, HandModelFile.ByName(_handModelFile));
-            }
-            catch (InputException problem)
-            {
-                Debug.LogWarning(problem.Message + "; hands are found by depth alone", this);
-                return null;
-            }
+            if (!_isPrepared)
+                Report(text, false);
         }
 
-        private ShotScorer? BuildScorer()
+        private void Lose(FramePump pump)
         {
-            if (_screen == null || _viewpoint == null)
-            {
-                Debug.LogWarning("LaserRange " + name + " has no " + (_screen == null ? "screen" : "viewpoint") + ": shots cannot hit anything; drag one in", this);
-                return null;
-            }
-
-            _raycaster = new PhysicsRaycaster(_hitLayers);
-            return new ShotScorer(_raycaster, _screen.Pose, _screen.SizeM, _viewpoint.position.ToCore());
+            if (!pump.HasFailed)
+                Report("LaserRange " + name + ": the camera of " + _source!.name + " gives no more pictures; check its cable, it is looked for every " + RetryS + " seconds", true);
+            ClosePump();
+            WaitForCamera();
         }
 
-        private RangeCalibration? ReadCalibration(FrameSourceAsset source)
+        private void WaitForCamera()
         {
-            if (_screen == null)
-                return null;
-            string? text = _screen.CalibrationText;
-            RangeCalibration? calibration = text == null ? source.Calibration : RangeCalibrationFile.Parse(text, "calibration of " + _screen.name);
-            if (calibration == null)
-            {
-                Debug.LogWarning("LaserRange " + name + ": the screen has no calibration, so shots have no place on it and cannot hit anything; drag the calibration of camera 0 into the ScreenSurface", this);
-                return null;
-            }
-
-            Vector2D off = calibration.Screen.ScreenSizeM - _screen.SizeM;
-            if (off.Length > SizeToleranceM)
-                Debug.LogWarning("LaserRange " + name + ": the calibrated picture is " + calibration.Screen.ScreenSizeM + " m, the ScreenSurface " + _screen.SizeM + " m, so shots land beside what was aimed at; set one to the other", this);
-            if (_handSource != null && calibration.HandCamera == null)
-                Debug.LogWarning("LaserRange " + name + ": the calibration does not say where camera 1 stands, so its frames are not used; calibrate both cameras", this);
-            return calibration;
+            _isLost = _source!.IsLive;
+            _retryAtS = Time.timeAsDouble + RetryS;
         }
 
-        private void RaiseShots()
+        private void Close()
         {
-            while (_shots != null && _shots.TryTake(out ShotEvent shot))
+            ClosePump();
+            RaiseEvents();
+            _isOpen = _isLost = _isPrepared = false;
+        }
+
+        private void ClosePump()
+        {
+            if (_pump == null)
+                return;
+            _source!.ReleaseSource();
+            if (_handSource != null)
+                _handSource.ReleaseSource();
+            _pump.Dispose();
+            RaiseEvents();
+            _pump = null;
+            if (Recorder != null)
+                Recorder.End(true);
+        }
+
+        private LaserRange? OtherRangeWith(FrameSourceAsset source)
+        {
+            for (int i = 0; i < ShotEmitters.Count; i++)
             {
-                ShotFired?.Invoke(shot);
-                _shotFired.Invoke(shot);
-                if (shot.HasHit && _raycaster != null && _raycaster.TryFindTarget(shot.Hit.Target, out LaserTarget? target))
-                    target!.ReportHit(shot);
+                if (ShotEmitters.At(i) is LaserRange other && other != this && other._pump != null && (other._source == source || other._handSource == source))
+                    return other;
             }
+
+            return null;
+        }
+
+        private void RaiseEvents()
+        {
+            while (_pump != null && _events.TryTakeShot(out ShotEvent shot))
+                Emit(shot, _pump.ToSceneTimeS(shot.Shot.TimeUs));
+            int dots = _events.TakeDots(_dots), hands = _events.TakeHands(_hands);
+            for (int i = 0; i < dots; i++)
+                Raise(DotMoved, _dotMoved, _dots[i]);
+            for (int i = 0; i < hands; i++)
+                Raise(HandMoved, _handMoved, _hands[i]);
+            while (_events.TryTakeHealth(out HealthEvent health))
+            {
+                ShotEmitters.Log(this, health.FrameIndex < 0 ? health.Text : "Laser range, frame " + health.FrameIndex + ": " + health.Text, health.Kind == HealthKind.SetUp);
+                AddHealth(health);
+            }
+
+            RaiseHealth();
         }
     }
 }

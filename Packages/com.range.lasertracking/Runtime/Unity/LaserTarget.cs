@@ -45,15 +45,20 @@ namespace LaserTracking.Unity
         /// <summary>Tells the listeners. Called by the <see cref="LaserRange"/>.</summary>
         public void ReportHit(in ShotEvent shot)
         {
-            Hit?.Invoke(shot);
-            _hit.Invoke(shot);
+            ShotEmitter.Raise(this, Hit, _hit, shot);
+        }
+
+        private void Start()
+        {
+            if (GetComponentInChildren<Collider>() == null)
+                ShotEmitters.Report(this, "LaserTarget " + name + " has no collider on its object or below, so nothing can hit it; add one", false);
         }
 
         private TargetDefinition? ReadDefinition()
         {
             if (_definition == null)
             {
-                Debug.LogWarning("LaserTarget " + name + " has no definition: hits on it score nothing; drag a target definition in", this);
+                ShotEmitters.Report(this, "LaserTarget " + name + " has no definition: hits on it score nothing; drag a target definition in", false);
                 return null;
             }
 
@@ -63,7 +68,7 @@ namespace LaserTracking.Unity
             }
             catch (InputException problem)
             {
-                Debug.LogError(problem.Message, this);
+                ShotEmitters.Report(this, problem.Message, true);
                 return null;
             }
         }

@@ -18,7 +18,8 @@ namespace LaserTracking.Unity
         private readonly List<string> _names = new List<string>();
         private readonly List<LaserTarget?> _targets = new List<LaserTarget?>();
         private readonly Dictionary<GameObject, int> _indices = new Dictionary<GameObject, int>();
-        private int _lastHit = -1;
+        private RaycastHit _last;
+        private bool _hasLast;
 
         /// <param name="hitLayers">Layers that shots can hit.</param>
         /// <param name="triggers">Whether triggers stop shots; by default as the project's physics settings say.</param>
@@ -61,22 +62,21 @@ namespace LaserTracking.Unity
             return true;
         }
 
-        /// <summary>The target of this name that was hit before; of several the one hit last. Targets should have names of their own.</summary>
-        public bool TryFindTarget(string name, out LaserTarget? target)
+        /// <summary>What the last ray met, target or scenery; false when it met nothing since <see cref="Forget"/>.</summary>
+        internal bool TryGetLast(out RaycastHit hit, out GameObject? owner, out LaserTarget? target)
         {
-            target = null;
-            for (int i = 0; i < _targets.Count; i++)
-            {
-                if (_targets[i] != null && _names[i] == name && (target == null || i == _lastHit))
-                    target = _targets[i];
-            }
-
-            return target != null;
+            hit = _last;
+            owner = _hasLast ? _objects[_last.ObjectIndex] : null;
+            target = _hasLast ? _targets[_last.ObjectIndex] : null;
+            return _hasLast;
         }
+
+        internal void Forget() => _hasLast = false;
 
         private bool TryRaycastAsPosed(in Ray3D ray, double maxDistanceM, out RaycastHit hit)
         {
             hit = default;
+            _hasLast = false;
             if (!Physics.Raycast(ray.Origin.ToUnity(), ray.Direction.ToUnity(), out UnityEngine.RaycastHit met, (float)maxDistanceM,
                 _layerMask, _triggers))
                 return false;
@@ -84,12 +84,14 @@ namespace LaserTracking.Unity
             if (target != null && !target.enabled)
                 target = null;
             GameObject owner = target == null ? met.collider.gameObject : target.gameObject;
-            _lastHit = hit.ObjectIndex = IndexOf(owner, target);
+            hit.ObjectIndex = IndexOf(owner, target);
             hit.ObjectPose = owner.transform.WorldPose();
             hit.PointM = met.point.ToCore();
             hit.Normal = met.normal.ToCore();
             hit.DistanceM = met.distance;
             hit.LocalPointM = hit.ObjectPose.InverseTransformPoint(hit.PointM);
+            _last = hit;
+            _hasLast = true;
             return true;
         }
 

@@ -1,21 +1,20 @@
 using System;
 using System.Net;
+using LaserTracking.Geometry;
 using LaserTracking.Remote;
-using LaserTracking.Scoring;
 using LaserTracking.Session;
 using UnityEngine;
-using UnityEngine.Events;
 
 namespace LaserTracking.Unity
 {
     /// <summary>
     /// Shots and poses of a detector in another program or on another machine, over UDP (Documentation~/remote.md). Listens while it
-    /// is enabled; a background thread receives, the main thread drains in Update. Shots with a place on the screen are cast into the
-    /// scene as it stands when they arrive.
+    /// is enabled; a background thread receives, the main thread drains in Update. Shots with a place on the screen, and published rays that
+    /// meet it, are cast into the scene as it stood when their light left.
     /// </summary>
     [DisallowMultipleComponent]
     [AddComponentMenu("Laser Tracking/Remote Input")]
-    public sealed class RemoteInput : MonoBehaviour
+    public sealed class RemoteInput : ShotEmitter
     {
         [SerializeField]
         [Tooltip("Address to listen on. 127.0.0.1: only programs of this machine. Any other needs a key and a list of senders.")]
@@ -34,27 +33,28 @@ namespace LaserTracking.Unity
         private string[] _allowedSenders = new string[0];
 
         [SerializeField]
-        [Tooltip("Screen that the shots land on.")]
-        private ScreenSurface? _screen;
+        [Tooltip("Camera 0 in the scene, looking along its z axis: the published message's rays start from it. Empty: published rays hit nothing.")]
+        private Transform? _camera;
 
         [SerializeField]
-        [Tooltip("Eye from which the picture on the screen is drawn, in front of the screen. Usually the camera.")]
-        private Transform? _viewpoint;
+        [Tooltip("Factors on the published message's axes, +1 or -1: y down becomes y up.")]
+        private Vector3 _axisFlip = new Vector3(1, -1, 1);
 
         [SerializeField]
-        [Tooltip("Layers that shots can hit.")]
-        private LayerMask _hitLayers = ~0;
+        [Range(0.01f, 1)]
+        [Tooltip("Weight of the newest vector in the published mean. 1: not smoothed; published: 0.2, which lags by four messages.")]
+        private float _smoothing = 1;
 
         [SerializeField]
-        [Tooltip("Called for every shot, hit or miss.")]
-        private UnityEvent<ShotEvent> _shotFired = new UnityEvent<ShotEvent>();
+        [Min(0)]
+        [Tooltip("Seconds from the light to the arrival of the quickest message, about: camera, detector and network. A shot meets the targets as they stood then.")]
+        private float _latencyS;
 
+        private readonly WallClock _wall = new WallClock();
+        private readonly RemoteClock _senderClock = new RemoteClock();
         private RemoteReceiver? _receiver;
-        private PhysicsRaycaster? _raycaster;
-        private ShotScorer? _scorer;
-
-        /// <summary>Raised on the main thread for every shot, hit or miss, in order of arrival.</summary>
-        public event Action<ShotEvent>? ShotFired;
+        private PublishedAim? _published;
+        private bool _hasToldCamera;
 
         /// <summary>What came in; null while it does not listen. Poses are read here, shots are taken by this component.</summary>
         public RemoteInbox? Inbox => _receiver?.Inbox;
@@ -62,50 +62,108 @@ namespace LaserTracking.Unity
         /// <summary>Where it listens; null while it does not.</summary>
         public IPEndPoint? EndPoint => _receiver?.EndPoint;
 
+        /// <summary>The newest published ray as it stands in the scene, smoothed, from the muzzle; false while there is none.</summary>
+        public bool TryGetAim(out Ray ray)
+        {
+            ray = default;
+            if (_receiver == null || _published == null || !_receiver.Inbox.TryGetPose(out RemotePose pose) || !TryPlace(pose, out Vector3D muzzleM, out Vector2D screenM) || !muzzleM.IsFinite)
+                return false;
+            Vector3 from = Screen!.ScreenToWorld(muzzleM).ToUnity();
+            ray = new Ray(from, Screen.ScreenToWorld(new Vector3D(screenM.X, screenM.Y, 0)).ToUnity() - from);
+            return true;
+        }
+
         private void OnEnable()
         {
+            ShotEmitters.Add(this);
             try
             {
-                _receiver = new RemoteReceiver(ReadSettings(), new WallClock());
+                _published = new PublishedAim(_axisFlip.ToCore(), _smoothing);
+                _receiver = new RemoteReceiver(ReadSettings(), _wall);
             }
             catch (Exception problem) when (problem is InputException || problem is ArgumentException)
             {
-                Debug.LogError("RemoteInput " + name + ": " + problem.Message, this);
+                Report("RemoteInput " + name + ": " + problem.Message, true);
             }
+        }
+
+        // Not in OnEnable: by now the main camera is awake, wherever it is.
+        private void Start()
+        {
+            if (_receiver != null)
+                PrepareCasting();
         }
 
         private void OnDisable()
         {
             _receiver?.Dispose();
             _receiver = null;
-            _scorer = null;
+            ShotEmitters.Remove(this);
         }
 
         private void Update()
         {
-            if (_receiver == null)
-                return;
-            RemoteInbox inbox = _receiver.Inbox;
-            while (inbox.TryTakeHealth(out HealthEvent health))
-                Debug.LogWarning(health.Text, this);
-            while (inbox.TryTakeShot(out RemoteShot shot))
-                Raise(shot.Event);
+            if (_receiver != null)
+                Drain(_receiver.Inbox, _published!);
+            RaiseHealth();
         }
 
-        private void Raise(ShotEvent shot)
+        private void Drain(RemoteInbox inbox, PublishedAim aim)
         {
-            if (_scorer == null && _screen != null && _viewpoint != null)
+            while (inbox.TryTakeHealth(out HealthEvent health))
             {
-                _raycaster = new PhysicsRaycaster(_hitLayers);
-                _scorer = new ShotScorer(_raycaster, _screen.Pose, _screen.SizeM, _viewpoint.position.ToCore());
+                ShotEmitters.Log(this, health.Text, false);
+                AddHealth(health);
             }
 
-            if (_scorer != null && shot.HasScreenPosition)
-                shot.HasHit = _scorer.TryScore(shot.ScreenM, shot.ScreenCovarianceMm2, shot.Shot.Dot.Confidence, null, Time.timeAsDouble, out shot.Hit);
-            ShotFired?.Invoke(shot);
-            _shotFired.Invoke(shot);
-            if (shot.HasHit && _raycaster!.TryFindTarget(shot.Hit.Target, out LaserTarget? target))
-                target!.ReportHit(shot);
+            while (inbox.TryTakeShot(out RemoteShot shot))
+            {
+                _senderClock.Add(shot.Event.Shot.TimeUs, shot.ReceivedTimeUs);
+                if (!shot.Event.HasScreenPosition && IsPublished(shot.Aim))
+                    Place(aim, ref shot);
+                Emit(shot.Event, SceneTimeS(shot.Event.Shot.TimeUs));
+            }
+
+            if (inbox.TryGetPose(out RemotePose pose) && IsPublished(pose))
+            {
+                _senderClock.Add(pose.TimeUs, pose.ReceivedTimeUs);
+                aim.Add(pose);
+            }
+        }
+
+        private static bool IsPublished(in RemotePose pose) => pose.Space == RemoteSpace.CameraMm;
+
+        private void Place(PublishedAim aim, ref RemoteShot shot)
+        {
+            aim.Add(shot.Aim);
+            if (_camera == null && Screen != null && !_hasToldCamera)
+            {
+                _hasToldCamera = true;
+                Report("RemoteInput " + name + ": a published ray has come, but where camera 0 stands is not known, so it cannot hit anything; drag its transform in", false);
+            }
+
+            if (!TryPlace(shot.Aim, out Vector3D muzzleM, out Vector2D screenM))
+                return;
+            shot.Event.HasScreenPosition = true;
+            shot.Event.ScreenM = screenM;
+            shot.Event.HasMuzzle = muzzleM.IsFinite;
+            shot.Event.MuzzleM = muzzleM;
+            shot.Event.Direction = (new Vector3D(screenM.X, screenM.Y, 0) - muzzleM).Normalized;
+        }
+
+        private bool TryPlace(in RemotePose pose, out Vector3D muzzleM, out Vector2D screenM)
+        {
+            muzzleM = default;
+            screenM = default;
+            return IsPublished(pose) && _camera != null && Screen != null
+                && _published!.TryPlace(pose, _camera.WorldPose(), Screen.Pose, Screen.SizeM, out muzzleM, out screenM);
+        }
+
+        /// <summary>When the light left, on the clock that the targets move by.</summary>
+        private double SceneTimeS(long senderTimeUs)
+        {
+            double offsetS = MovingTargets.Count > 0 ? MovingTargets.At(0).ClockOffsetS : 0;
+            return Time.timeAsDouble + offsetS - _senderClock.AgeS(senderTimeUs, _wall.NowUs) - _latencyS;
         }
 
         private RemoteSettings ReadSettings()

@@ -97,7 +97,7 @@ namespace LaserTracking.Unity
             _rest = transform.localPosition;
             if (_kind != MotionKind.None && !(_periodS > 0))
             {
-                Debug.LogError("TargetMotion " + name + ": the period must be above zero seconds; the target stands still", this);
+                ShotEmitters.Report(this, "TargetMotion " + name + ": the period must be above zero seconds; the target stands still", true);
                 return;
             }
 

@@ -18,6 +18,9 @@ namespace LaserTracking.Host.Scenes
         /// <summary>Folder of the package's scripts that need not be read: they show or feed, and move nothing that can be hit.</summary>
         public const string PackageFolder = "Packages/com.range.lasertracking/";
 
+        /// <summary>Guid of the scripts that Unity brings itself, documents of its UI: they show and move nothing that can be hit.</summary>
+        public const string UnitysOwn = "0000000000000000e000000000000000";
+
         /// <summary>Class by the guid of its script.</summary>
         public static readonly IReadOnlyDictionary<string, string> ClassByGuid = new Dictionary<string, string>
         {
@@ -26,6 +29,15 @@ namespace LaserTracking.Host.Scenes
             ["ce71f8e935d783cc490767973868b6e6"] = TargetMotion,
             ["626b6a64b9c32c7604acc4dfcae72615"] = ScreenSurface,
             ["b33198d265cad9bf2143c3cead4383f8"] = LaserRange,
+        };
+
+        /// <summary>Components that show or bring shots and decide nothing about what they meet, by the guids of their scripts.</summary>
+        public static readonly IReadOnlyDictionary<string, string> ShowingByGuid = new Dictionary<string, string>
+        {
+            ["842ac62e1e1b4650b63394a694ed9b0a"] = "ShotVisuals",
+            ["37ae146a84c2caefe0daa04317b60df8"] = "Scoreboard",
+            ["8c7810aa1b663a441f2aa3614be26986"] = "CalibrationScreen",
+            ["4e594f06acf668db5e74aefd635dc51f"] = "RemoteInput",
         };
 
         /// <summary>Serialised fields by class; all of them are written by Unity, so a missing one is as wrong as an unknown one.</summary>
@@ -42,7 +54,8 @@ namespace LaserTracking.Host.Scenes
         public static readonly IReadOnlyDictionary<string, string[]> EventsByClass = new Dictionary<string, string[]>
         {
             [LaserTarget] = new[] { "_hit" },
-            [LaserRange] = new[] { "_handSource", "_handModelFile", "_shotFired" },
+            [LaserRange] = new[] { "_handSource", "_handModelFile", "_shotFired", "_dotMoved", "_handMoved", "_healthChanged", "_aim" },
+            [ScreenSurface] = new[] { "_calibrationFile", "_fillsCamera" },
         };
 
         /// <summary>Fields that every MonoBehaviour and ScriptableObject has.</summary>

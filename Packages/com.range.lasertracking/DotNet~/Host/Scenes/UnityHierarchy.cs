@@ -71,8 +71,11 @@ namespace LaserTracking.Host.Scenes
             var ordered = new List<(int Order, long Id)>();
             foreach ((long id, UnityFields fields) in _fields)
             {
-                if (_documents[id].ClassId == UnityClass.Transform && fields.Reference("m_Father").IsNull)
-                    ordered.Add((fields.Has("m_RootOrder") ? fields.Integer("m_RootOrder") : 0, id));
+                if (_documents[id].ClassId != UnityClass.Transform || !fields.Reference("m_Father").IsNull)
+                    continue;
+                if (!fields.Has("m_RootOrder"))
+                    throw new InputException(_file, "lists no root objects: its end is missing", "restore it from version control");
+                ordered.Add((fields.Integer("m_RootOrder"), id));
             }
 
             // Stable: objects of equal order stay as the file has them.
@@ -149,6 +152,8 @@ namespace LaserTracking.Host.Scenes
                 return name;
             }
 
+            if (guid == ProductScripts.UnitysOwn || ProductScripts.ShowingByGuid.ContainsKey(guid))
+                return "";
             if (!_project.TryFind(guid, out string relative, out _))
                 throw fields.Problem($"unknown component class: no script has the guid \"{guid}\"", "remove the component or bring its script and .meta into the project");
             return relative.StartsWith(ProductScripts.PackageFolder, System.StringComparison.Ordinal) ? "" : relative;

@@ -44,10 +44,14 @@ namespace LaserTracking.Host.Scenes
             Vector2D size = surface.Vector2("_sizeM");
             if (!(size.X > 0 && size.Y > 0))
                 throw surface.Problem("field _sizeM is not above zero in both directions");
+            if (surface.Has("_fillsCamera") && surface.Flag("_fillsCamera"))
+                throw surface.Problem("the screen follows the camera, which nobody moves here", "switch Fills Camera off and put the screen where the picture is");
             if (SceneObjectReader.MoverOf(screen) != null || SceneObjectReader.MoverOf(eye) != null)
                 throw range.Problem("the screen or the viewpoint moves", "remove TargetMotion from them and from what is above them");
             if (!(screen.Pose.InverseTransformPoint(eye.Pose.Position).Z < -1e-3))
                 throw range.Problem("the viewpoint is not in front of the screen", "move it to the side of the screen's negative z axis");
+            if (range.Has("_aim") && range.Integer("_aim") != 0)
+                throw range.Problem("its shots are aimed from the muzzle, here they are cast from the viewpoint", "set Aim to Viewpoint");
             return new SceneModel(Path.GetFileNameWithoutExtension(_file), screen.Pose, size, eye.Pose.Position, range.Layers("_hitLayers"), _objects.ReadAll());
         }
 

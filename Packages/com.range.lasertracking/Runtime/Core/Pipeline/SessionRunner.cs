@@ -14,6 +14,7 @@ namespace LaserTracking.Pipeline
         private readonly RangePipeline _pipeline;
         private readonly IFrameSource _screenCamera;
         private readonly IFrameSource? _handCamera;
+        private readonly LiveFrameSource? _liveHands;
         private readonly long _handClockOffsetUs;
         private readonly Frame _handFrame = new Frame();
         private bool _hasStarted;
@@ -32,11 +33,15 @@ namespace LaserTracking.Pipeline
             _pipeline = pipeline;
             _screenCamera = screenCamera;
             _handCamera = handCamera;
+            _liveHands = handCamera as LiveFrameSource;
             _handClockOffsetUs = handClockOffsetUs;
         }
 
         /// <summary>Called before every frame of camera 0: the place for progress and pacing.</summary>
         public Action<Frame>? BeforeFrame { get; set; }
+
+        /// <summary>Called with every frame of camera 1 as it comes, with its own clock's times: the place for recording.</summary>
+        public Action<Frame>? HandFrameRead { get; set; }
 
         /// <summary>Called after every frame of camera 0: the place for statistics.</summary>
         public Action<Frame>? AfterFrame { get; set; }
@@ -82,6 +87,8 @@ namespace LaserTracking.Pipeline
             if (!_hasProcessed)
                 _firstTimeUs = Current.TimeUs;
             _hasProcessed = true;
+            if (!_hasHandFrame && _liveHands != null)
+                _hasHandFrame = TryReadHands(_handFrame);
             while (_hasHandFrame && _handFrame.TimeUs - _pipeline.HandClockOffsetUs <= Current.TimeUs)
             {
                 HasHandsInTime |= _handFrame.TimeUs >= _firstTimeUs;
@@ -105,8 +112,10 @@ namespace LaserTracking.Pipeline
 
         private bool TryReadHands(Frame frame)
         {
-            if (_handCamera == null || !_handCamera.TryRead(frame))
+            // A live camera 1 that falls silent must not hold up camera 0.
+            if (_handCamera == null || !(_liveHands == null ? _handCamera.TryRead(frame) : _liveHands.TryReadNow(frame)))
                 return false;
+            HandFrameRead?.Invoke(frame);
             frame.TimeUs += _handClockOffsetUs;
             frame.Depth.TimeUs += _handClockOffsetUs;
             return true;

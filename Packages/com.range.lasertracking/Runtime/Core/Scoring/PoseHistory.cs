@@ -24,9 +24,18 @@ namespace LaserTracking.Scoring
 
         public int Count { get; private set; }
 
-        /// <summary>Remembers a pose. A time that does not lie after the last one means that the clock was set back: the past is forgotten.</summary>
+        /// <summary>
+        /// Remembers a pose. A time before the last one means that the clock was set back: the past is forgotten. While the clock stands
+        /// still the newest pose counts.
+        /// </summary>
         public void Add(double timeS, Pose pose)
         {
+            if (Count > 0 && timeS == _timesS[Slot(Count - 1)])
+            {
+                _poses[Slot(Count - 1)] = pose;
+                return;
+            }
+
             if (Count > 0 && !(timeS > _timesS[Slot(Count - 1)]))
                 Count = 0;
             if (Count == _timesS.Length)
@@ -66,7 +75,7 @@ namespace LaserTracking.Scoring
 
         public void Clear() => Count = 0;
 
-        private static Pose Between(Pose a, Pose b, double part)
+        internal static Pose Between(Pose a, Pose b, double part)
         {
             Rotation3D p = a.Rotation, q = b.Rotation;
             // q and -q are the same rotation: take the nearer one, or the mean goes the long way round.

@@ -48,7 +48,10 @@ namespace LaserTracking.Session
         /// <summary>Camera 1 falls silent or comes back. Value: seconds without a picture of it.</summary>
         HandCamera = 14,
 
+        /// <summary>Something is missing or set wrongly, in the scene or at the camera, or is well again. Value: 0.</summary>
+        SetUp = 15,
+
         /// <summary>Camera 1's clock is off camera 0's. Value: seconds that it is ahead.</summary>
-        HandClock = 15,
+        HandClock = 16,
     }
 }

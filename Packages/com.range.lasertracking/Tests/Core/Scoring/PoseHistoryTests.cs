@@ -54,6 +54,17 @@ namespace LaserTracking.Scoring
         }
 
         [Test]
+        public void Add_ClockThatStandsStill_KeepsThePastAndTheNewestPose()
+        {
+            var history = new PoseHistory(4);
+            history.Add(1, At(0, 0));
+            history.Add(2, At(4, 0));
+            history.Add(2, At(6, 0));
+            history.TryGetPoseAt(1.5, out Pose pose);
+            Assert.That(pose.Position.X, Is.EqualTo(3).Within(1e-12));
+        }
+
+        [Test]
         public void Add_TimeThatRunsBack_ForgetsThePast()
         {
             var history = new PoseHistory(3);

@@ -1,0 +1,124 @@
+using System;
+using LaserTracking.Capture;
+using LaserTracking.Detection;
+using LaserTracking.Geometry;
+using LaserTracking.Hands.Model;
+using LaserTracking.Pipeline;
+using LaserTracking.Session;
+
+namespace LaserTracking.Unity
+{
+    /// <summary>Opens what a <see cref="LaserRange"/> names, sources, calibration and hand model, and sets the pipeline going. Main thread.</summary>
+    internal sealed class RangeOpening
+    {
+        private const double SizeToleranceM = 0.005;
+
+        private readonly LaserRange _range;
+        private readonly FrameSourceAsset _asset;
+        private readonly Action<string> _warn;
+
+        /// <param name="range">To be opened.</param>
+        /// <param name="asset">Its source.</param>
+        /// <param name="warn">Told what is missing although it opens.</param>
+        public RangeOpening(LaserRange range, FrameSourceAsset asset, Action<string> warn)
+        {
+            _range = range;
+            _asset = asset;
+            _warn = warn;
+        }
+
+        /// <summary>Shots will have a place on the screen.</summary>
+        public bool HasCalibration { get; private set; }
+
+        /// <exception cref="InputException">The source or its calibration cannot be used; nothing stays open.</exception>
+        public FramePump Open(EventInbox events)
+        {
+            IFrameSource? source = null, handSource = null;
+            HandLandmarkNetwork? handModel = null;
+            try
+            {
+                source = OnThread(_asset.CreateSource(_range), _asset);
+                RangeCalibration? calibration = ReadCalibration();
+                HasCalibration = calibration != null;
+                if (calibration?.HandCamera != null)
+                    handSource = OpenHandSource();
+                FrameSourceAsset? handAsset = _range.HandSource;
+                long handClockOffsetUs = handSource == null ? 0 : handAsset == null ? _asset.HandClockOffsetUs : handAsset.ClockOffsetUs;
+                handModel = handSource == null ? null : OpenHandModel();
+                var settings = new PipelineSettings { SceneTimeZeroUs = _asset.SceneTimeZeroUs };
+                // No scorer: rays are cast by Unity's physics, which only its own thread may ask.
+                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(), calibration, handSource != null, null, events, settings, handModel);
+                pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
+                SessionLogWriter? recording = _range.Recorder?.Begin(_asset, source, handSource, handClockOffsetUs, calibration);
+                return new FramePump(pipeline, source, handSource, handClockOffsetUs, _asset, handModel, events, recording);
+            }
+            catch
+            {
+                _asset.ReleaseSource();
+                source?.Dispose();
+                handSource?.Dispose();
+                handModel?.Dispose();
+                throw;
+            }
+        }
+
+        /// <summary>A device is read on a thread of its own, so that frames never wait in its driver.</summary>
+        private static IFrameSource OnThread(IFrameSource source, FrameSourceAsset asset) =>
+            asset.IsLive && !(source is PushedFrameSource) ? new LiveFrameSource(source) : source;
+
+        /// <summary>Without it the range works, but nobody knows who fired.</summary>
+        private IFrameSource? OpenHandSource()
+        {
+            FrameSourceAsset? asset = _range.HandSource;
+            try
+            {
+                IFrameSource? source = asset == null ? _asset.CreateHandSource() : asset.CreateSource(_range);
+                return source == null ? null : OnThread(source, asset == null ? _asset : asset);
+            }
+            catch (InputException problem)
+            {
+                if (asset != null)
+                    asset.ReleaseSource();
+                _warn(problem.Message + "; until the range is switched off and on again nobody knows who fires");
+                return null;
+            }
+        }
+
+        /// <summary>Without its file hands are found by depth alone.</summary>
+        private HandLandmarkNetwork? OpenHandModel()
+        {
+            string file = _range.HandModelFile;
+            if (file.Length == 0)
+                return null;
+            try
+            {
+                return HandLandmarkNetwork.Open(file, HandModelFile.ByName(file));
+            }
+            catch (InputException problem)
+            {
+                _warn(problem.Message + "; hands are found by depth alone");
+                return null;
+            }
+        }
+
+        private RangeCalibration? ReadCalibration()
+        {
+            ScreenSurface? screen = _range.Screen;
+            if (screen == null)
+                return null;
+            RangeCalibration? calibration = screen.ReadCalibration() ?? _asset.Calibration;
+            if (calibration == null)
+            {
+                _warn("LaserRange " + _range.name + ": the screen has no calibration, so shots have no place on it and cannot hit anything; calibrate it, or drag the calibration of camera 0 into the ScreenSurface");
+                return null;
+            }
+
+            Vector2D off = calibration.Screen.ScreenSizeM - screen.SizeM;
+            if (screen.HasSize && off.Length > SizeToleranceM)
+                _warn("LaserRange " + _range.name + ": the calibrated picture is " + calibration.Screen.ScreenSizeM + " m, the ScreenSurface " + screen.SizeM + " m, so shots land beside what was aimed at; set one to the other");
+            if (_range.HandSource != null && calibration.HandCamera == null)
+                _warn("LaserRange " + _range.name + ": the calibration does not say where camera 1 stands, so its frames are not used; calibrate both cameras");
+            return calibration;
+        }
+    }
+}

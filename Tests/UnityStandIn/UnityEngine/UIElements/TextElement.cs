@@ -1,0 +1,12 @@
+// Test code, never shipped: part of an executable stand-in for Unity's engine, see Tests/UnityStandIn/README.md.
+namespace UnityEngine.UIElements
+{
+    public class TextElement : BindableElement
+    {
+        public TextElement()
+        {
+        }
+
+        public virtual string text { get; set; } = "";
+    }
+}
