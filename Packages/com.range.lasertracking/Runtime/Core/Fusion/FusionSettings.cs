@@ -29,13 +29,31 @@ namespace LaserTracking.Fusion
         public double SightedShare { get; set; } = 0.93;
 
         /// <summary>Standard deviation between the line of sight over the muzzle and the light about one axis, radians, beside what the tracker says.</summary>
-        public double SightSpreadRad { get; set; } = 0.015;
+        public double SightSpreadRad { get; set; } = 0.005;
+
+        /// <summary>For how many shots the expected spread counts beside what is seen of somebody's own.</summary>
+        public double SpreadShots { get; set; } = 2.5;
+
+        /// <summary>So much smaller than expected, at most, is somebody's spread believed to be.</summary>
+        public double MinSpreadScale { get; set; } = 0.25;
+
+        /// <summary>A shot teaches where somebody aims over only when it is theirs with that probability: a wrong one spoils what follows.</summary>
+        public double LearnProbability { get; set; } = 0.5;
+
+        /// <summary>Share of shots fired from a swing, the muzzle faster than <see cref="SwingMPerS"/> across its line.</summary>
+        public double SwingShare { get; set; } = 0.12;
+
+        /// <summary>Share of the time in which the weapon of somebody who does not fire just then swings.</summary>
+        public double IdleSwingShare { get; set; } = 0.4;
+
+        /// <summary>Metres a second: tremor and sway stay below a tenth of it, swings to the next target reach three times it.</summary>
+        public double SwingMPerS { get; set; } = 0.2;
 
         /// <summary>Share of sightings that are far worse than they say (a finger taken for the barrel), with four times the standard deviation.</summary>
-        public double PoorSightShare { get; set; } = 0.2;
+        public double PoorSightShare { get; set; } = 0.05;
 
         /// <summary>How much a hand still counts whose forearm points elsewhere than its sight line: bent elbows do.</summary>
-        public double BentArmShare { get; set; } = 0.1;
+        public double BentArmShare { get; set; } = 0.2;
 
         /// <summary>Growth of the aim's standard deviation with the distance in time to the nearest sighting, radians a second.</summary>
         public double AimDriftRadPerS { get; set; } = 0.6;
@@ -44,10 +62,10 @@ namespace LaserTracking.Fusion
         public double MuzzleDriftMPerS { get; set; } = 0.5;
 
         /// <summary>Share of shots whose line has nothing to do with the arm seen (a bent wrist, a wrong arm): spread over all directions.</summary>
-        public double OutlierShare { get; set; } = 0.02;
+        public double OutlierShare { get; set; } = 0.005;
 
         /// <summary>Probability, before anything is seen, that a shot came from none of the hands in sight.</summary>
-        public double NobodyPrior { get; set; } = 0.05;
+        public double NobodyPrior { get; set; } = 0.035;
 
         /// <summary>How much less likely than a person a hand whose person is not known is to fire: half a second of a chair, a raised foot.</summary>
         public double StrangerShare { get; set; } = 0.3;
@@ -62,10 +80,13 @@ namespace LaserTracking.Fusion
         public double ViewMargin { get; set; } = 0.05;
 
         /// <summary>From the eyes to the muzzle of somebody who aims and has not fired yet, metres.</summary>
-        public double ReachM { get; set; } = 0.75;
+        public double ReachM { get; set; } = 0.7;
 
         /// <summary>Standard deviation of that.</summary>
-        public double ReachSigmaM { get; set; } = 0.12;
+        public double ReachSigmaM { get; set; } = 0.18;
+
+        /// <summary>Least weight of a hand whose arm begins below these eyes, however far it reaches.</summary>
+        public double OwnShare { get; set; } = 1;
 
         /// <summary>Weight of a hand that seems to be a neighbour's: arms are given to the nearest head, which may be wrong.</summary>
         public double NeighbourShare { get; set; } = 0.3;
@@ -76,8 +97,14 @@ namespace LaserTracking.Fusion
         /// <summary>Probability that a shooter's next dot shows their usual colour.</summary>
         public double ColorKeptProbability { get; set; } = 0.97;
 
+        /// <summary>
+        /// How much more others who aim near the dot count in what is said than in what is reckoned: lines of sight err together more often
+        /// than a normal distribution lets them. Fitted so that shooter_p is met (simulated range, seeds 1 to 3).
+        /// </summary>
+        public double RivalWeight { get; set; } = 3;
+
         /// <summary>Below this probability the shooter is unknown.</summary>
-        public double MinProbability { get; set; } = 0.8;
+        public double MinProbability { get; set; } = 0.9;
 
         /// <summary>A muzzle that far from a shooter's last one, when their own hand is no longer seen, is theirs again. Metres.</summary>
         public double RelinkM { get; set; } = 0.35;
@@ -103,6 +130,8 @@ namespace LaserTracking.Fusion
             Check(WindowUs >= 0 && MaxInterpolationUs >= 0 && RelinkUs >= 0, "times not negative");
             Check(EpsilonM >= 0 && RelinkM >= 0 && SameWeaponM >= 0, "lengths not negative");
             Check(WristSigmaRad > 0 && AimDriftRadPerS >= 0 && MuzzleDriftMPerS >= 0, "WristSigmaRad above zero, drifts not negative");
+            Check(SwingShare > 0 && SwingShare < 1 && IdleSwingShare > 0 && IdleSwingShare < 1 && SwingMPerS > 0, "SwingShare and IdleSwingShare between 0 and 1, SwingMPerS above zero");
+            Check(LearnProbability >= 0 && LearnProbability <= 1 && SpreadShots > 0 && MinSpreadScale > 0 && OwnShare >= 0 && OwnShare <= 1, "LearnProbability and OwnShare 0…1, SpreadShots and MinSpreadScale above zero");
             Check(SightedShare >= 0 && SightedShare <= 1 && SightSpreadRad >= 0, "SightedShare 0…1, SightSpreadRad not negative");
             Check(PoorSightShare >= 0 && PoorSightShare < 1 && BentArmShare > 0 && BentArmShare <= 1, "PoorSightShare 0…1, BentArmShare above 0, at most 1");
             Check(OutlierShare >= 0 && OutlierShare < 1, "OutlierShare at least 0, below 1");
@@ -111,6 +140,7 @@ namespace LaserTracking.Fusion
             Check(ViewMargin >= 0 && ViewMargin < 0.5 && ReachM > 0 && ReachSigmaM > 0 && NeighbourShare >= 0 && NeighbourShare <= 1, "ViewMargin 0…0.5, lengths above zero, NeighbourShare 0…1");
             Check(ScreenAreaM2 > 0, "ScreenAreaM2 above zero");
             Check(ColorKeptProbability > 0.25 && ColorKeptProbability < 1, "ColorKeptProbability between 0.25 and 1");
+            Check(RivalWeight > 0, "RivalWeight above zero");
             Check(MinProbability >= 0 && MinProbability <= 1, "MinProbability 0…1");
             Check(MaxShots >= 1 && MaxShots <= 64 && MaxHands >= 1 && MaxHands <= 64, "MaxShots and MaxHands 1…64");
             Check(HistoryLength >= 16 && HistoryLength <= 1 << 20, "HistoryLength 16…1048576");

@@ -5,15 +5,32 @@ using LaserTracking.Hands;
 namespace LaserTracking.Fusion
 {
     /// <summary>
-    /// The last sightings of every hand, to be asked where a hand was when a photon left. Fixed room: the oldest are overwritten.
-    /// One thread at a time.
+    /// The last sightings of every hand, to be asked where a hand was when a photon left. Fixed room, in order of time: the oldest
+    /// are overwritten. One thread at a time.
     /// </summary>
     public sealed class HandHistory
     {
+        /// <summary>Tracks told apart within one window; of more, those seen last.</summary>
+        private const int MaxTracks = 64;
+
+        /// <summary>A velocity is taken over at most this: three frames at 30 a second, within which a swing hardly turns.</summary>
+        private const long VelocityUs = 110_000;
+
+        private struct Found
+        {
+            public int TrackId;
+
+            /// <summary>Logical places; -1: none. The last sighting at or before the moment, the first at or after it, the earliest one for a velocity.</summary>
+            public int Before;
+            public int After;
+            public int Earliest;
+        }
+
         private readonly HandObservation[] _hands;
         private readonly long[] _timesUs;
+        private readonly Found[] _found = new Found[MaxTracks];
         private int _count;
-        private int _next;
+        private int _start;
 
         /// <param name="capacity">Sightings kept, over all hands.</param>
         public HandHistory(int capacity = 1024)
@@ -27,18 +44,17 @@ namespace LaserTracking.Fusion
         public int Count => _count;
 
         /// <param name="hands">One frame's hands, any order of frames.</param>
-        public void Add(HandObservations hands)
+        public void Add(HandObservations hands) => Add(hands, hands.TimeUs);
+
+        /// <param name="hands">One frame's hands, any order of frames.</param>
+        /// <param name="timeUs">When they were seen, in place of the time that they carry.</param>
+        public void Add(HandObservations hands, long timeUs)
         {
             foreach (ref readonly HandObservation hand in hands.Hands)
-            {
-                _hands[_next] = hand;
-                _timesUs[_next] = hands.TimeUs;
-                _next = (_next + 1) % _hands.Length;
-                _count = Math.Min(_count + 1, _hands.Length);
-            }
+                Insert(hand, timeUs);
         }
 
-        public void Clear() => _count = _next = 0;
+        public void Clear() => _count = _start = 0;
 
         /// <summary>
         /// Each hand seen within the window of the moment, in order of track id, at that moment: interpolated between the sightings
@@ -48,57 +64,120 @@ namespace LaserTracking.Fusion
         /// <returns>How many were written.</returns>
         public int At(long timeUs, long windowUs, long maxInterpolationUs, Span<PairedHand> hands)
         {
-            int found = 0, lastId = int.MinValue;
-            while (found < hands.Length && TryNextId(timeUs, windowUs, lastId, out int id))
-            {
-                hands[found++] = Pair(timeUs, windowUs, maxInterpolationUs, id);
-                lastId = id;
-            }
-
-            return found;
+            int tracks = Gather(timeUs, windowUs);
+            int given = Math.Min(tracks, hands.Length);
+            for (int i = 0; i < given; i++)
+                hands[i] = Pair(timeUs, maxInterpolationUs, _found[i]);
+            return given;
         }
 
-        private bool TryNextId(long timeUs, long windowUs, int after, out int id)
+        /// <summary>One hand's sightings of a stretch of time, in order; the latest where there is no room for all.</summary>
+        /// <returns>How many were written.</returns>
+        public int CopyTrack(int trackId, long fromUs, long toUs, Span<HandObservation> hands, Span<long> timesUs)
         {
-            id = int.MaxValue;
-            bool any = false;
-            for (int i = 0; i < _count; i++)
+            int room = Math.Min(hands.Length, timesUs.Length), copied = 0;
+            for (int i = _count - 1; i >= 0 && copied < room; i--)
             {
-                int candidate = _hands[i].TrackId;
-                if (candidate <= after || (any && candidate >= id) || Math.Abs(_timesUs[i] - timeUs) > windowUs)
+                int place = Place(i);
+                if (_timesUs[place] < fromUs)
+                    break;
+                if (_timesUs[place] > toUs || _hands[place].TrackId != trackId)
                     continue;
-                id = candidate;
-                any = true;
+                hands[copied] = _hands[place];
+                timesUs[copied++] = _timesUs[place];
             }
 
-            return any;
+            hands.Slice(0, copied).Reverse();
+            timesUs.Slice(0, copied).Reverse();
+            return copied;
         }
 
-        private PairedHand Pair(long timeUs, long windowUs, long maxInterpolationUs, int id)
+        private int Place(int logical)
         {
-            int before = -1, after = -1;
-            for (int i = 0; i < _count; i++)
+            int at = _start + logical;
+            return at < _hands.Length ? at : at - _hands.Length;
+        }
+
+        private void Insert(in HandObservation hand, long timeUs)
+        {
+            if (_count == _hands.Length)
             {
-                long delta = _timesUs[i] - timeUs;
-                if (_hands[i].TrackId != id || Math.Abs(delta) > windowUs)
-                    continue;
-                if (delta <= 0 && (before < 0 || _timesUs[i] > _timesUs[before]))
-                    before = i;
-                if (delta >= 0 && (after < 0 || _timesUs[i] < _timesUs[after]))
-                    after = i;
+                // Older than all that is kept: nothing to forget for it.
+                if (timeUs < _timesUs[_start])
+                    return;
+                _start = Place(1);
+                _count--;
             }
 
-            int nearest = before < 0 ? after : after < 0 ? before
-                : timeUs - _timesUs[before] <= _timesUs[after] - timeUs ? before : after;
-            var pair = new PairedHand { Hand = _hands[nearest], DeltaUs = _timesUs[nearest] - timeUs };
-            if (before < 0 || after < 0)
+            int at = _count++;
+            for (; at > 0 && _timesUs[Place(at - 1)] > timeUs; at--)
+            {
+                _hands[Place(at)] = _hands[Place(at - 1)];
+                _timesUs[Place(at)] = _timesUs[Place(at - 1)];
+            }
+
+            _hands[Place(at)] = hand;
+            _timesUs[Place(at)] = timeUs;
+        }
+
+        /// <summary>From the newest back to the window's beginning; the tracks come in order of their ids.</summary>
+        private int Gather(long timeUs, long windowUs)
+        {
+            int tracks = 0;
+            for (int i = _count - 1; i >= 0; i--)
+            {
+                int place = Place(i);
+                long time = _timesUs[place];
+                if (time - timeUs > windowUs)
+                    continue;
+                if (timeUs - time > windowUs)
+                    break;
+                int track = Slot(_hands[place].TrackId, ref tracks);
+                if (track < 0)
+                    continue;
+                ref Found found = ref _found[track];
+                if (time >= timeUs)
+                    found.After = i;
+                if (time > timeUs)
+                    continue;
+                if (found.Before < 0)
+                    found.Before = found.Earliest = i;
+                else if (_timesUs[Place(found.Before)] - time <= VelocityUs)
+                    found.Earliest = i;
+            }
+
+            return tracks;
+        }
+
+        private int Slot(int trackId, ref int tracks)
+        {
+            int at = tracks;
+            while (at > 0 && _found[at - 1].TrackId >= trackId)
+                at--;
+            if (at < tracks && _found[at].TrackId == trackId)
+                return at;
+            if (tracks == MaxTracks)
+                return -1;
+            Array.Copy(_found, at, _found, at + 1, tracks - at);
+            _found[at] = new Found { TrackId = trackId, Before = -1, After = -1, Earliest = -1 };
+            tracks++;
+            return at;
+        }
+
+        private PairedHand Pair(long timeUs, long maxInterpolationUs, in Found found)
+        {
+            long beforeUs = found.Before < 0 ? 0 : _timesUs[Place(found.Before)], afterUs = found.After < 0 ? 0 : _timesUs[Place(found.After)];
+            bool takesAfter = found.Before < 0 || (found.After >= 0 && timeUs - beforeUs > afterUs - timeUs);
+            var pair = new PairedHand { Hand = _hands[Place(takesAfter ? found.After : found.Before)], DeltaUs = (takesAfter ? afterUs : beforeUs) - timeUs };
+            AddVelocity(found, ref pair);
+            if (found.Before < 0 || found.After < 0)
                 return pair;
-            long gap = _timesUs[after] - _timesUs[before];
+            long gap = afterUs - beforeUs;
             if (gap == 0 || gap > maxInterpolationUs)
                 return pair;
-            double f = (timeUs - _timesUs[before]) / (double)gap;
-            ref readonly HandObservation a = ref _hands[before];
-            ref readonly HandObservation b = ref _hands[after];
+            double f = (timeUs - beforeUs) / (double)gap;
+            ref readonly HandObservation a = ref _hands[Place(found.Before)];
+            ref readonly HandObservation b = ref _hands[Place(found.After)];
             pair.IsInterpolated = true;
             pair.Hand.PalmMm = Between(a.PalmMm, b.PalmMm, f);
             pair.Hand.MuzzleMm = Between(a.MuzzleMm, b.MuzzleMm, f);
@@ -112,6 +191,19 @@ namespace LaserTracking.Fusion
             pair.Hand.MuzzleSigmaMm = a.MuzzleSigmaMm + (b.MuzzleSigmaMm - a.MuzzleSigmaMm) * f;
             pair.Hand.AimSigmaRad = a.AimSigmaRad + (b.AimSigmaRad - a.AimSigmaRad) * f;
             return pair;
+        }
+
+        /// <summary>Over all sightings from the earliest on, those around the moment included.</summary>
+        private void AddVelocity(in Found found, ref PairedHand pair)
+        {
+            int first = found.Earliest >= 0 ? Place(found.Earliest) : -1, last = found.Before >= 0 ? Place(found.Before) : -1;
+            if (found.After >= 0 && first >= 0 && _timesUs[Place(found.After)] - _timesUs[first] <= 2 * VelocityUs)
+                last = Place(found.After);
+            if (first < 0 || last < 0 || _timesUs[last] <= _timesUs[first])
+                return;
+            double seconds = (_timesUs[last] - _timesUs[first]) * 1e-6;
+            pair.MuzzleVelocityMmS = (_hands[last].MuzzleMm - _hands[first].MuzzleMm) * (1 / seconds);
+            pair.VelocitySeconds = seconds;
         }
 
         private static Vector3D Between(Vector3D a, Vector3D b, double f) => a + (b - a) * f;

@@ -1,3 +1,4 @@
+using LaserTracking.Geometry;
 using LaserTracking.Hands;
 
 namespace LaserTracking.Fusion
@@ -12,5 +13,11 @@ namespace LaserTracking.Fusion
         public long DeltaUs;
 
         public bool IsInterpolated;
+
+        /// <summary>Of the muzzle, camera space, over the last sightings.</summary>
+        public Vector3D MuzzleVelocityMmS;
+
+        /// <summary>Time over which that was measured, seconds; 0: it is unknown.</summary>
+        public double VelocitySeconds;
     }
 }

@@ -13,6 +13,9 @@ namespace LaserTracking.Fusion
     /// </summary>
     public sealed class ShooterAssignment
     {
+        /// <summary>Whose line of sight passes farther from the dot is no rival by an error of that line.</summary>
+        private const double RivalRad = 0.2;
+
         private readonly HandCamera _camera;
         private readonly FusionSettings _settings;
         private readonly ShotHypotheses _hypotheses;
@@ -45,12 +48,21 @@ namespace LaserTracking.Fusion
             _chosen = new int[shots];
         }
 
+        /// <summary>
+        /// Camera 1's clock minus camera 0's as the shots have told so far, microseconds; frames are taken as that much earlier.
+        /// Positive: they are stamped late.
+        /// </summary>
+        public long HandClockOffsetUs => _hypotheses.Clock.OffsetUs;
+
+        /// <summary>Standard deviation of the last step of that; 0 while nothing has told.</summary>
+        public long HandClockSigmaUs => _hypotheses.Clock.SigmaUs;
+
         /// <summary>Notes one frame of camera 1, its time on camera 0's clock. Frames may come before or after the shots they belong to.</summary>
         public void AddHands(HandObservations hands)
         {
             _hypotheses.Add(hands);
             foreach (ref readonly HandObservation hand in hands.Hands)
-                _registry.See(ShotHypotheses.KeyOf(hand), _camera.ToScreenM(hand.MuzzleMm), hands.TimeUs);
+                _registry.See(ShotHypotheses.KeyOf(hand), _camera.ToScreenM(hand.MuzzleMm), hands.TimeUs - HandClockOffsetUs);
         }
 
         /// <summary>One shot that is alone in its frame.</summary>
@@ -91,6 +103,7 @@ namespace LaserTracking.Fusion
                 fused[i] = Decide(i, shots[i], _hypotheses.Columns);
             for (int i = 0; i < count; i++)
             {
+                _hypotheses.NoteTime(i, shots[i], screenM[i], new ReadOnlySpan<double>(_probability, i * _settings.MaxHands, _hypotheses.Columns));
                 for (int k = 0; k < _hypotheses.Columns; k++)
                     _hypotheses.Learn(i, k, screenM[i], shots[i].Dot.Color, _probability[i * _settings.MaxHands + k]);
             }
@@ -189,14 +202,19 @@ namespace LaserTracking.Fusion
                 return default;
             FusedShot fused = _hypotheses.Pairs[row + column];
             int shooter = _shooters[row + column], key = _hypotheses.Keys[column];
-            double probability = _probability[row + column];
             // Under whichever key they are seen, the shooter is the same.
+            double mine = 0, rivals = 0, all = 0;
             for (int k = 0; k < columns; k++)
             {
-                if (k != column && shooter != 0 && _shooters[row + k] == shooter)
-                    probability += _probability[row + k];
+                double part = _probability[row + k];
+                all += part;
+                if (k == column || (shooter != 0 && _shooters[row + k] == shooter))
+                    mine += part;
+                else
+                    rivals += part * (_hypotheses.Pairs[row + k].HasMuzzle && _hypotheses.Pairs[row + k].SightErrorRad < RivalRad ? _settings.RivalWeight : 1);
             }
 
+            double probability = mine / (mine + rivals + Math.Max(0, 1 - all));
             if (probability < _settings.MinProbability)
                 return default;
             bool hasEyes = _hypotheses.TryEyes(key, out Vector3D eyes);

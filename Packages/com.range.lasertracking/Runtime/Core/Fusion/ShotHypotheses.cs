@@ -12,9 +12,11 @@ namespace LaserTracking.Fusion
     /// </summary>
     internal sealed class ShotHypotheses
     {
-        /// <summary>Learned from only when that likely, that near in time and that well seen.</summary>
-        private const double LearnProbability = 0.6;
+        /// <summary>Learned from only when that well seen and that near in time.</summary>
         private const double MaxLearnSigmaM = 0.1;
+
+        /// <summary>Dots that move less during an exposure do not tell the time.</summary>
+        private const double MovingDotPx = 1.5;
         private const long LearnUs = 60_000;
 
         /// <summary>Of one person's sightings those count that are hardly older than the nearest.</summary>
@@ -36,6 +38,7 @@ namespace LaserTracking.Fusion
             _settings = settings;
             _history = new HandHistory(settings.HistoryLength);
             _sights = new SightLines(settings);
+            Clock = new HandClock(camera);
             _hands = new PairedHand[settings.MaxHands];
             _keys = new int[settings.MaxHands];
             _weights = new double[settings.MaxShots * settings.MaxHands];
@@ -43,6 +46,8 @@ namespace LaserTracking.Fusion
         }
 
         public HandHistory History => _history;
+
+        public HandClock Clock { get; }
 
         public int Columns { get; private set; }
 
@@ -58,13 +63,16 @@ namespace LaserTracking.Fusion
         {
             _history.Clear();
             _sights.Clear();
+            Clock.Clear();
         }
 
         public void Add(HandObservations hands)
         {
-            _history.Add(hands);
+            long timeUs = hands.TimeUs - Clock.OffsetUs;
+            _history.Add(hands, timeUs);
             foreach (ref readonly PersonObservation person in hands.People)
-                _sights.See(person, _camera, hands.TimeUs);
+                _sights.See(person, _camera, timeUs);
+            Clock.Update(timeUs, _history, _sights);
         }
 
         public static int KeyOf(in HandObservation hand) => hand.PersonId > 0 ? hand.PersonId : -hand.TrackId;
@@ -105,7 +113,7 @@ namespace LaserTracking.Fusion
         /// <summary>Notes with which probability a shot is a column's.</summary>
         public void Learn(int row, int column, Vector2D screenM, LaserColor color, double probability)
         {
-            if (probability < LearnProbability || _keys[column] < 0)
+            if (probability < _settings.LearnProbability || _keys[column] < 0)
                 return;
             _sights.CountColor(_keys[column], color, probability);
             ref readonly FusedShot pair = ref _pairs[row * _settings.MaxHands + column];
@@ -113,6 +121,22 @@ namespace LaserTracking.Fusion
             double surprise = pair.SightErrorRad / (3 * SightSigmaRad(_keys[column], pair));
             if (pair.HasMuzzle && surprise < 1 && Math.Abs(pair.PairDeltaUs) <= LearnUs && pair.MuzzleSigmaM < MaxLearnSigmaM)
                 _sights.Learn(_keys[column], pair.MuzzleM, pair.MuzzleSigmaM, new Vector3D(screenM.X, screenM.Y, 0) - pair.MuzzleM, probability * (1 - surprise * surprise));
+        }
+
+        /// <summary>
+        /// Notes a shot whose dot moves for camera 1's clock, for the likeliest person: with a clock that is off nobody's line meets it well
+        /// enough to be named.
+        /// </summary>
+        public void NoteTime(int row, in Shot shot, Vector2D screenM, ReadOnlySpan<double> probabilities)
+        {
+            if (shot.Dot.StreakPx.LengthSquared < MovingDotPx * MovingDotPx)
+                return;
+            for (int k = 0; k < Columns; k++)
+            {
+                ref readonly FusedShot pair = ref _pairs[row * _settings.MaxHands + k];
+                if (probabilities[k] > 0.5 && _keys[k] > 0 && pair.HasMuzzle)
+                    Clock.Note(_keys[k], pair.HandTrackId, shot.TimeUs, new Vector3D(screenM.X, screenM.Y, 0));
+            }
         }
 
         private void GatherHands(long timeUs) =>
@@ -145,7 +169,7 @@ namespace LaserTracking.Fusion
                 PairedHand hand = Sighted(_hands[i], key);
                 if (!ShotHandPairing.TryPair(hand, screenM, _camera, _settings, out FusedShot pair))
                     continue;
-                double density = share * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings);
+                double density = share * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings) * Stillness(hand, pair);
                 sum += density;
                 if (density <= highest)
                     continue;
@@ -163,6 +187,19 @@ namespace LaserTracking.Fusion
             return (1 - hidden) * seen + unseen;
         }
 
+        /// <summary>How much likelier this hand's motion is of somebody who fires than of somebody who does not: most hold still for it.</summary>
+        private double Stillness(in PairedHand hand, in FusedShot pair)
+        {
+            if (!(hand.VelocitySeconds > 0))
+                return 1;
+            Vector3D velocity = _camera.PoseInScreenMm.TransformDirection(hand.MuzzleVelocityMmS) * Axes.MetresPerMillimetre;
+            double speed = (velocity - pair.Direction * Vector3D.Dot(velocity, pair.Direction)).Length;
+            double noise = Math.Sqrt(2) * hand.Hand.MuzzleSigmaMm * Axes.MetresPerMillimetre / hand.VelocitySeconds;
+            // From still to swinging over the width that the velocity's own error has.
+            double swings = 1 / (1 + Math.Exp(-(speed - _settings.SwingMPerS - noise) / (0.25 * (_settings.SwingMPerS + noise))));
+            return (1 - swings) * (1 - _settings.SwingShare) / (1 - _settings.IdleSwingShare) + swings * _settings.SwingShare / _settings.IdleSwingShare;
+        }
+
         /// <summary>How much a hand counts as this column's: its own one fully, a neighbour's at an arm's length from these eyes less.</summary>
         private double Share(in HandObservation hand, int key)
         {
@@ -174,7 +211,7 @@ namespace LaserTracking.Fusion
                 return own == key ? 1 : 0;
             double off = ((muzzle - pivot).Length - reach) / _settings.ReachSigmaM;
             double share = Math.Exp(-0.5 * off * off);
-            return own == key ? Math.Max(0.1, share) : share < 0.02 ? 0 : _settings.NeighbourShare * share;
+            return own == key ? Math.Max(_settings.OwnShare, share) : share < 0.02 ? 0 : _settings.NeighbourShare * share;
         }
 
         /// <summary>
@@ -204,6 +241,9 @@ namespace LaserTracking.Fusion
         private PairedHand Sighted(in PairedHand seen, int key)
         {
             PairedHand hand = seen;
+            // Shots are reported before camera 1's next frame: a little way on as it went.
+            if (!hand.IsInterpolated && Math.Abs(hand.DeltaUs) <= LearnUs)
+                hand.Hand.MuzzleMm -= hand.MuzzleVelocityMmS * (hand.DeltaUs * 1e-6);
             if (key < 0 || !_sights.TrySight(key, _camera.ToScreenM(hand.Hand.MuzzleMm), hand.Hand.MuzzleSigmaMm * Axes.MetresPerMillimetre, out Vector3D sight, out double sigma))
                 return hand;
             hand.Hand.SightDirection = _camera.PoseInScreenMm.InverseTransformDirection(sight).Normalized;

@@ -45,10 +45,6 @@ namespace LaserTracking.Fusion
         /// <summary>Who moved that far has half forgotten how they stood.</summary>
         private const double MovedM = 0.2;
 
-        /// <summary>How many shots the expected spread counts for, and how far below it nobody is believed to be.</summary>
-        private const double SpreadPrior = 3;
-        private const double MinScale = 0.25;
-
         private readonly FusionSettings _settings;
         private readonly Entry[] _entries = new Entry[Capacity];
         private int _count;
@@ -171,8 +167,8 @@ namespace LaserTracking.Fusion
             muzzleSigmaM * muzzleSigmaM / (reachM * reachM) + _settings.SightSpreadRad * _settings.SightSpreadRad;
 
         /// <summary>Factor on that variance: the mean of what was seen and of the expectation, which counts for a few shots.</summary>
-        private static double SpreadScale(in Entry e) =>
-            Math.Max(MinScale * MinScale, (SpreadPrior + e.SpreadSum) / (SpreadPrior + e.SpreadCount));
+        private double SpreadScale(in Entry e) =>
+            Math.Max(_settings.MinSpreadScale * _settings.MinSpreadScale, (_settings.SpreadShots + e.SpreadSum) / (_settings.SpreadShots + e.SpreadCount));
 
         private static double StillShare(in Entry e) => 1 / (1 + (e.EyeM - e.LearnedAtM).LengthSquared / (MovedM * MovedM));
 

@@ -293,7 +293,7 @@ namespace LaserTracking.Hands
             {
                 fit.MuzzleMm = end;
                 fit.HasWeapon = true;
-                fit.MuzzleSigmaMm = _settings.PalmSigmaMm;
+                fit.MuzzleSigmaMm = _settings.SeenMuzzleSigmaMm;
                 if (!hasAim)
                     return;
                 Vector3D grip = fit.MuzzleMm - aim * _settings.GripToMuzzleMm - BoreAboveGrip(aim);
@@ -334,7 +334,8 @@ namespace LaserTracking.Hands
             bool isLong = weapon > 3 * BinMm + _settings.HandLengthMm / 6 && weapon <= _settings.MaxWeaponMm;
             if (!isLong || !(Mean(axis, front - 2 * BinMm, front + 1, out end) > 0) || !IsBefore(end, palm))
                 return false;
-            end += axis * BinMm;
+            // From the middle of the last 20 mm to their end, less what noise makes the foremost cell too near.
+            end += axis * (0.5 * BinMm);
             return true;
         }
 

@@ -116,6 +116,9 @@ namespace LaserTracking.Hands
         /// <summary>Standard deviation of the sensor and of the hand's shape together, along one axis.</summary>
         public double PalmSigmaMm { get; set; } = 12;
 
+        /// <summary>Standard deviation of a muzzle that is seen, along one axis: measured on the simulated range at 2.4 to 2.7 m.</summary>
+        public double SeenMuzzleSigmaMm { get; set; } = 7;
+
         /// <summary>Standard deviation of a muzzle that is not seen itself, along one axis.</summary>
         public double MuzzleSigmaMm { get; set; } = 35;
 
@@ -145,7 +148,7 @@ namespace LaserTracking.Hands
             Check(SurfaceStepMm > 0 && HoleMm >= 0 && ForwardMm > 0 && MinReachMm >= 0 && EyeBelowCrownMm >= 0 && EyeSigmaMm > 0 && SightSigmaRad > 0 && ForearmRadiusMm >= 0 && TorsoHalfWidthMm > 0, "lengths above zero");
             Check(MinArmAreaMm2 > 0 && MaxArmAreaMm2 > MinArmAreaMm2 && MaxHandAreaMm2 > MinArmAreaMm2, "areas above zero, limits in order");
             Check(HandLengthMm > 0 && ForearmLengthMm > 0 && HandHalfThicknessMm >= 0 && MinHandWidthMm >= 0, "sizes of the hand above zero");
-            Check(MuzzleBeyondPalmMm >= 0 && GripToMuzzleMm >= 0 && WristSigmaRad > 0 && TwoArmsSigmaRad >= 0 && BoreAboveGripMm >= 0 && WeaponKeptMm >= 0 && WeaponKeptUs >= 0 && PalmSigmaMm > 0 && MuzzleSigmaMm > 0 && CutSigmaMm > 0, "uncertainties above zero");
+            Check(MuzzleBeyondPalmMm >= 0 && GripToMuzzleMm >= 0 && WristSigmaRad > 0 && TwoArmsSigmaRad >= 0 && BoreAboveGripMm >= 0 && WeaponKeptMm >= 0 && WeaponKeptUs >= 0 && PalmSigmaMm > 0 && SeenMuzzleSigmaMm > 0 && MuzzleSigmaMm > 0 && CutSigmaMm > 0, "uncertainties above zero");
             Check(TrackGateMm > 0 && TrackMemoryUs >= 0 && BridgeUs >= 0, "TrackGateMm above zero, times not negative");
             Check(LostShare > 0 && LostShare <= 1, "LostShare above 0, at most 1");
             Check(MaxHands >= 1 && MaxHands <= 64, "MaxHands 1…64");

@@ -95,8 +95,10 @@ namespace LaserTracking.Hands
             for (int i = 0; i < _segmenter.ArmCount; i++)
             {
                 ref ArmPart arm = ref _segmenter.Arms[i];
-                arm.PersonId = _people.Find(arm.RootMm, out Vector3D eye);
-                if (arm.PersonId == 0)
+                arm.PersonId = _people.Find(arm.RootMm, out Vector3D eye, out bool isHeadHidden);
+                if ((arm.PersonId == 0 || isHeadHidden) && !arm.IsShallow)
+                    _people.SeeArm(arm.RootMm, timeUs);
+                if (arm.PersonId == 0 || isHeadHidden)
                     continue;
                 arm.HasEye = true;
                 arm.EyeMm = eye;

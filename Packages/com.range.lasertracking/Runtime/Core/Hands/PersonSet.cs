@@ -11,6 +11,9 @@ namespace LaserTracking.Hands
             public int Id;
             public Vector3D EyeMm;
             public int Sightings;
+
+            /// <summary>Their arms were seen, never their head.</summary>
+            public bool IsHeadHidden;
             public long SeenUs;
         }
 
@@ -21,6 +24,16 @@ namespace LaserTracking.Hands
 
         /// <summary>A shoulder is at most so far from its head, seen from above.</summary>
         private const double ShoulderMm = 420;
+
+        /// <summary>Nor is it behind the eyes: such an arm belongs to somebody whom this one hides.</summary>
+        private const double BehindEyesMm = 300;
+
+        /// <summary>From where a hidden person's arm appears up to about their eyes, and how well that is known.</summary>
+        private const double EyesAboveArmMm = 150;
+        private const double HiddenSigmaMm = 150;
+
+        /// <summary>So many sightings of an arm without a head make a person whose head is hidden: one second.</summary>
+        private const int NeededArms = 30;
 
         /// <summary>Further off in height it is not the same head.</summary>
         private const double HeadStepMm = 70;
@@ -81,7 +94,8 @@ namespace LaserTracking.Hands
                 {
                     if (Beside(_people[i].EyeMm, _people[k].EyeMm) >= SamePersonMm)
                         continue;
-                    int stays = _people[k].Sightings > 2 * _people[i].Sightings ? k : i;
+                    bool isBetter = _people[i].IsHeadHidden != _people[k].IsHeadHidden ? _people[i].IsHeadHidden : _people[k].Sightings > 2 * _people[i].Sightings;
+                    int stays = isBetter ? k : i;
                     _people[i] = _people[stays];
                     for (int m = k + 1; m < _count; m++)
                         _people[m - 1] = _people[m];
@@ -113,6 +127,14 @@ namespace LaserTracking.Hands
 
             ref Person person = ref _people[best];
             person.SeenUs = timeUs;
+            if (person.IsHeadHidden)
+            {
+                person.IsHeadHidden = false;
+                person.Sightings = 1;
+                person.EyeMm = eyeMm;
+                return;
+            }
+
             double higher = eyeMm.Y - person.EyeMm.Y, nearer = person.EyeMm.Z - eyeMm.Z;
             if (higher < -HeadStepMm || nearer > NearerStepMm)
             {
@@ -129,6 +151,29 @@ namespace LaserTracking.Hands
                 person.Id = _nextId++;
         }
 
+        /// <summary>Notes where an arm begins over which nobody's head is known; camera space.</summary>
+        public void SeeArm(Vector3D rootMm, long timeUs)
+        {
+            Vector3D eye = _upright.ToUpright(rootMm) + new Vector3D(0, EyesAboveArmMm, 0);
+            for (int i = 0; i < _count; i++)
+            {
+                ref Person person = ref _people[i];
+                if (Beside(person.EyeMm, eye) >= ShoulderMm || eye.Z - person.EyeMm.Z > BehindEyesMm)
+                    continue;
+                if (!person.IsHeadHidden)
+                    return;
+                person.SeenUs = timeUs;
+                person.Sightings++;
+                person.EyeMm += (eye - person.EyeMm) * (1.0 / Math.Min(MaxWeight, person.Sightings));
+                if (person.Id == 0 && person.Sightings >= NeededArms)
+                    person.Id = _nextId++;
+                return;
+            }
+
+            if (_count < _people.Length)
+                _people[_count++] = new Person { EyeMm = eye, Sightings = 1, SeenUs = timeUs, IsHeadHidden = true };
+        }
+
         /// <summary>Distance seen from above; that from the screen counts a third: nobody fires from right behind another.</summary>
         private static double Beside(Vector3D a, Vector3D b)
         {
@@ -136,8 +181,8 @@ namespace LaserTracking.Hands
             return Math.Sqrt(x * x + z * z);
         }
 
-        /// <summary>Whose arm begins here, or 0; camera space. Gives their eyes too.</summary>
-        public int Find(Vector3D rootMm, out Vector3D eyeMm)
+        /// <summary>Whose arm begins here, or 0; camera space. Gives their eyes too, which are a guess where only arms were seen.</summary>
+        public int Find(Vector3D rootMm, out Vector3D eyeMm, out bool isHeadHidden)
         {
             Vector3D root = _upright.ToUpright(rootMm);
             int best = -1;
@@ -145,13 +190,14 @@ namespace LaserTracking.Hands
             for (int i = 0; i < _count; i++)
             {
                 double distance = Beside(_people[i].EyeMm, root);
-                if (_people[i].Id == 0 || distance >= bestDistance)
+                if (_people[i].Id == 0 || distance >= bestDistance || root.Z - _people[i].EyeMm.Z > BehindEyesMm)
                     continue;
                 best = i;
                 bestDistance = distance;
             }
 
             eyeMm = best < 0 ? default : _upright.ToCamera(_people[best].EyeMm);
+            isHeadHidden = best >= 0 && _people[best].IsHeadHidden;
             return best < 0 ? 0 : _people[best].Id;
         }
 
@@ -161,7 +207,7 @@ namespace LaserTracking.Hands
             Vector3D middle = _upright.ToUpright(middleMm);
             for (int i = 0; i < _count; i++)
             {
-                if (_people[i].Id != 0 && (_people[i].EyeMm - middle).Length < HeadRadiusMm)
+                if (_people[i].Id != 0 && !_people[i].IsHeadHidden && (_people[i].EyeMm - middle).Length < HeadRadiusMm)
                     return true;
             }
 
@@ -173,7 +219,7 @@ namespace LaserTracking.Hands
             for (int i = 0; i < _count; i++)
             {
                 if (_people[i].Id != 0)
-                    observations.Add(new PersonObservation { PersonId = _people[i].Id, EyeMm = _upright.ToCamera(_people[i].EyeMm), SigmaMm = _settings.EyeSigmaMm });
+                    observations.Add(new PersonObservation { PersonId = _people[i].Id, EyeMm = _upright.ToCamera(_people[i].EyeMm), SigmaMm = _people[i].IsHeadHidden ? HiddenSigmaMm : _settings.EyeSigmaMm });
             }
         }
     }

@@ -16,6 +16,9 @@ namespace LaserTracking.Hands
         private const double MinHeightMm = 400;
         private const double OutstandingMm = 100;
 
+        /// <summary>A body shows at least so much of what the largest of its surface shows; an arm a fifteenth.</summary>
+        private const double BodyShare = 0.25;
+
         /// <summary>A camera turned up or down by 35°.</summary>
         private const double MaxSlope = 0.7;
 
@@ -24,6 +27,7 @@ namespace LaserTracking.Hands
         private readonly int[] _histogram = new int[ColumnBins * DepthBins];
         private readonly int[] _window = new int[DepthBins];
         private readonly float[] _median = new float[ColumnBins];
+        private readonly long[] _windowTotal = new long[ColumnBins];
         private readonly double[] _columnWeight = new double[ColumnBins];
         private readonly double[] _columnY = new double[ColumnBins];
         private readonly double[] _columnZ = new double[ColumnBins];
@@ -85,8 +89,30 @@ namespace LaserTracking.Hands
                 _histogram[column * DepthBins + Math.Max(0, Math.Min(DepthBins - 1, depth))] += 1 + (int)(z * z / 65536);
             }
 
+            long most = 0;
             for (int column = low; column <= high; column++)
-                _median[column] = (float)((MedianBin(column, low, high) + 0.5) * _depthBinMm - SlackMm);
+            {
+                _median[column] = (float)((MedianBin(column, low, high, out _windowTotal[column]) + 0.5) * _depthBinMm - SlackMm);
+                most = Math.Max(most, _windowTotal[column]);
+            }
+
+            FillBesideBodies(low, high, (long)(most * BodyShare));
+        }
+
+        /// <summary>Where an arm reaches out beside the body, it would be its own torso: there counts the nearest column that has one.</summary>
+        private void FillBesideBodies(int low, int high, long needed)
+        {
+            for (int column = low; column <= high; column++)
+            {
+                if (_windowTotal[column] >= needed)
+                    continue;
+                int step = 1;
+                while (!IsBody(column - step) && !IsBody(column + step))
+                    step++;
+                _median[column] = _median[IsBody(column - step) ? column - step : column + step];
+            }
+
+            bool IsBody(int column) => column >= low && column <= high && _windowTotal[column] >= needed;
         }
 
         /// <summary>Distance at which the body itself is expected at this place of the surface measured last.</summary>
@@ -173,10 +199,10 @@ namespace LaserTracking.Hands
             return true;
         }
 
-        private int MedianBin(int column, int low, int high)
+        private int MedianBin(int column, int low, int high, out long total)
         {
             Array.Clear(_window, 0, _window.Length);
-            long total = 0;
+            total = 0;
             for (int k = Math.Max(low, column - _reach); k <= Math.Min(high, column + _reach); k++)
             {
                 for (int d = 0; d < DepthBins; d++)

@@ -20,6 +20,9 @@ namespace LaserTracking.Pipeline
         /// <summary>Longer than this a hand is not where it was; shots go on being paired with what was seen, up to the fusion's window.</summary>
         private const long HandsSilentUs = 500_000;
 
+        /// <summary>An offset is said from here on; below it nobody would do anything.</summary>
+        private const long HandClockUs = 15_000;
+
         private readonly PipelineSettings _settings;
         private readonly HealthWriter _health;
         private readonly PictureMonitor _monitor;
@@ -34,6 +37,7 @@ namespace LaserTracking.Pipeline
         private Condition _blind;
         private Condition _overflow;
         private Condition _noHands;
+        private long _saidClockUs;
         private bool _hadPicture = true;
         private readonly PredictionHealth _prediction = new PredictionHealth();
 
@@ -90,6 +94,18 @@ namespace LaserTracking.Pipeline
             _health.Say(HealthKind.HandCamera, silentUs * 1e-6, _noHands.IsOn
                 ? FormattableString.Invariant($"no picture of camera 1 for {silentUs * 1e-6:F1} s: who fires is not known meanwhile; check its cable, and that both clocks are brought together")
                 : "pictures of camera 1 come again");
+        }
+
+        /// <summary>Says that camera 1's clock is off, and again when it has gone on by as much as matters.</summary>
+        /// <param name="offsetUs">Camera 1's clock minus camera 0's, microseconds.</param>
+        /// <param name="sigmaUs">Its standard deviation.</param>
+        public void CheckHandClock(long offsetUs, long sigmaUs)
+        {
+            if (Math.Abs(offsetUs - _saidClockUs) < HandClockUs)
+                return;
+            _saidClockUs = offsetUs;
+            _health.Say(HealthKind.HandClock, offsetUs * 1e-6, FormattableString.Invariant(
+                $"camera 1's clock is {Math.Abs(offsetUs) * 1e-3:F0} ± {sigmaUs * 1e-3:F0} ms {(offsetUs > 0 ? "ahead of" : "behind")} camera 0's, as the shots tell; corrected from here on"));
         }
 
         public void ReportInput(FrameProblem problem, long timeUs)

@@ -91,6 +91,9 @@ namespace LaserTracking.Pipeline
         /// <summary>Share of the screen, 0…1, in which the last frame could not have shown a dot: too bright, or too much moved.</summary>
         public double BlindShare => _detections.BlindShare;
 
+        /// <summary>How much later than on camera 0's clock camera 1's frames are stamped, as estimated from the shots; microseconds.</summary>
+        public long HandClockOffsetUs => _fusion?.HandClockOffsetUs ?? 0;
+
         /// <summary>Starts a session; once, before the first frame.</summary>
         public void Begin(SessionHeader header) => _sink.Begin(header);
 
@@ -134,16 +137,18 @@ namespace LaserTracking.Pipeline
                 return;
             // Frames without a picture come while the camera is away.
             if (frame.Depth.IsPresent)
-                _lastHandsUs = frame.TimeUs;
+                _lastHandsUs = frame.TimeUs - HandClockOffsetUs;
             _hands.Begin(frame.Index, frame.TimeUs);
             _handTracker.Process(frame, _hands);
             _fusion?.AddHands(_hands);
+            if (_fusion != null)
+                _health.CheckHandClock(_fusion.HandClockOffsetUs, _fusion.HandClockSigmaUs);
             foreach (HandObservation hand in _hands.Hands)
             {
                 var observed = new HandEvent
                 {
                     FrameIndex = frame.Index,
-                    TimeUs = _hands.TimeUs,
+                    TimeUs = _hands.TimeUs - HandClockOffsetUs,
                     TrackId = hand.TrackId,
                     Side = hand.Side,
                     PalmM = camera.ToScreenM(hand.PalmMm),

@@ -89,7 +89,7 @@ namespace LaserTracking.Pipeline
             _hasProcessed = true;
             if (!_hasHandFrame && _liveHands != null)
                 _hasHandFrame = TryReadHands(_handFrame);
-            while (_hasHandFrame && _handFrame.TimeUs <= Current.TimeUs)
+            while (_hasHandFrame && _handFrame.TimeUs - _pipeline.HandClockOffsetUs <= Current.TimeUs)
             {
                 HasHandsInTime |= _handFrame.TimeUs >= _firstTimeUs;
                 _pipeline.ProcessHands(_handFrame);

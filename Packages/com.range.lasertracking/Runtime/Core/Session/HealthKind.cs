@@ -51,6 +51,9 @@ namespace LaserTracking.Session
         /// <summary>Something is missing or set wrongly, in the scene or at the camera, or is well again. Value: 0.</summary>
         SetUp = 15,
 
+        /// <summary>Camera 1's clock is off camera 0's. Value: seconds that it is ahead.</summary>
+        HandClock = 16,
+
         /// <summary>All of the picture moves, and whether the camera does cannot be told without a calibrated screen. Value: displacement, px.</summary>
         MotionUnclear = 17,
     }

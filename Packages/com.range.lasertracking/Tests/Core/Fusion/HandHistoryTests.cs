@@ -75,6 +75,54 @@ namespace LaserTracking.Fusion
             Assert.That(_pairs[0].Hand.MuzzleMm.X, Is.EqualTo(6));
         }
 
+        [Test]
+        public void Add_FrameThatComesLate_IsPutInItsPlace()
+        {
+            var history = new HandHistory(3);
+            Add(history, 200_000, 1, 20);
+            Add(history, 100_000, 1, 10);
+            Add(history, 300_000, 1, 30);
+            history.At(150_000, 1_000_000, 250_000, _pairs);
+            Assert.That(_pairs[0].Hand.MuzzleMm.X, Is.EqualTo(15).Within(1e-9));
+            Add(history, 50_000, 1, 5);
+            Assert.That(history.Count, Is.EqualTo(3), "older than all that is kept: no room for it");
+            history.At(50_000, 1_000_000, 250_000, _pairs);
+            Assert.That(_pairs[0].Hand.MuzzleMm.X, Is.EqualTo(10));
+        }
+
+        [Test]
+        public void At_HandThatMoves_GivesItsVelocity()
+        {
+            var history = new HandHistory();
+            for (int i = 0; i < 8; i++)
+                Add(history, i * 33_000, 1, i * 16.5);
+            history.At(240_000, 1_000_000, 250_000, _pairs);
+            Assert.That(_pairs[0].MuzzleVelocityMmS.X, Is.EqualTo(500).Within(1e-6));
+            Assert.That(_pairs[0].VelocitySeconds, Is.EqualTo(0.099).Within(1e-9));
+        }
+
+        [Test]
+        public void At_HandSeenOnce_HasNoVelocity()
+        {
+            var history = new HandHistory();
+            Add(history, 0, 1, 10);
+            history.At(0, 1_000_000, 250_000, _pairs);
+            Assert.That(_pairs[0].VelocitySeconds, Is.Zero);
+        }
+
+        [Test]
+        public void CopyTrack_OfSeveralHands_GivesOneInOrderOfTime()
+        {
+            var history = new HandHistory();
+            for (int i = 0; i < 10; i++)
+                Add(history, i * 10_000, 1 + i % 2, i);
+            var hands = new HandObservation[3];
+            var times = new long[3];
+            Assert.That(history.CopyTrack(1, 10_000, 70_000, hands, times), Is.EqualTo(3));
+            Assert.That(times, Is.EqualTo(new long[] { 20_000, 40_000, 60_000 }));
+            Assert.That(hands[2].MuzzleMm.X, Is.EqualTo(6));
+        }
+
         private static void Add(HandHistory history, long timeUs, int track, double x)
         {
             var hands = new HandObservations();
