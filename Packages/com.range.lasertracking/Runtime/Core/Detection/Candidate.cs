@@ -56,9 +56,10 @@ namespace LaserTracking.Detection
         /// <summary>The light was not there in the frame before.</summary>
         public bool IsOnset;
 
-        /// <summary>Red and green rises as shares of their headrooms, summed over the dot and its rim.</summary>
+        /// <summary>Rises of the channels as shares of their headrooms, summed over the dot and its rim.</summary>
         public double RedRise;
         public double GreenRise;
+        public double BlueRise;
 
         /// <summary>Mean room that red and green had left in the frame before, levels: without any, its silence says nothing.</summary>
         public double RedHeadroom;

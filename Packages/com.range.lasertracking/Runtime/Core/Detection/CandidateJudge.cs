@@ -26,6 +26,9 @@ namespace LaserTracking.Detection
         /// <summary>Records every test when there is one.</summary>
         public DetectionTrace? Trace { get; set; }
 
+        /// <summary>Much of the picture has risen at once: what is faint proves nothing there.</summary>
+        public bool IsCrowded { get; set; }
+
         /// <summary>Temporal noise of this frame, levels (one standard deviation).</summary>
         public double Noise { get; set; }
 
@@ -96,7 +99,7 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.Freshness < _settings.MinFreshness, RejectionReason.NotNew, candidate.Freshness, _settings.MinFreshness, "freshness"))
                 return;
             Span<float> features = stackalloc float[DotEvidence.Count];
-            double least = rise < _settings.FaintRise ? Math.Max(_settings.MinLogOdds, conclusive) : _settings.MinLogOdds;
+            double least = rise < _settings.FaintRise ? Math.Max(_settings.MinLogOdds, IsCrowded ? conclusive : _settings.FaintLogOdds) : _settings.MinLogOdds;
             candidate.LogOdds = Weigh(view, ref candidate, 0, least, out int against, features);
             EvidenceCurve curve = DotEvidence.Curves[against];
             if (Fails(ref candidate, candidate.LogOdds < least, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What))

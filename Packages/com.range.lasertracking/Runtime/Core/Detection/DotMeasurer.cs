@@ -32,8 +32,18 @@ namespace LaserTracking.Detection
         {
             if (candidate.GreenCoherence >= _settings.ColorCoherence && candidate.GreenRise > 0 && candidate.RedHeadroom >= _settings.MinColorHeadroom)
                 return LaserColor.Green;
-            bool isRed = candidate.GreenCoherence <= -_settings.ColorCoherence && candidate.RedRise > 0;
+            bool isRed = candidate.GreenCoherence <= -_settings.ColorCoherence && candidate.RedRise > 0 && !IsReddishWhite(candidate);
             return isRed && candidate.GreenHeadroom >= _settings.MinColorHeadroom ? LaserColor.Red : LaserColor.Unknown;
+        }
+
+        /// <summary>
+        /// Beyond 800 nm all three filters of a colour camera let light through, the red one a little more: red that stands clear of
+        /// green but hardly of blue may be infrared.
+        /// </summary>
+        private static bool IsReddishWhite(in Candidate candidate)
+        {
+            double overGreen = candidate.RedRise - candidate.GreenRise, overBlue = candidate.RedRise - candidate.BlueRise;
+            return overGreen >= 0.05 * candidate.RedRise && overBlue < 0.3 * overGreen;
         }
 
         private static double AwayShare(Vector2D positionPx, Image image)

@@ -190,6 +190,7 @@ namespace LaserTracking.Detection
             _blobs.Begin();
             ReadOnlySpan<int> hot = tiles.FindHot(floor, _settings.MaxCandidates);
             detections.Skip(tiles.HotCount - hot.Length);
+            _judge.IsCrowded = tiles.HotCount > _settings.CrowdedShare * tiles.Columns * tiles.Rows;
             bool isAboveExpected = tiles == _expected?.Tiles;
             if (!isAboveExpected)
                 Trace?.Spot?.SetTile(plane, tiles, hot, floor, view, _planes.Factor);

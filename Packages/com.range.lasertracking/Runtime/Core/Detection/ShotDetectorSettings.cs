@@ -27,8 +27,14 @@ namespace LaserTracking.Detection
         /// <summary>Least rise of a candidate, share of the headroom 0…1.</summary>
         public double MinRise { get; set; } = 0.05;
 
-        /// <summary>Rise below which a candidate may not wait for proof, share of the headroom 0…1: much that is faint comes and goes.</summary>
+        /// <summary>Rise below which a candidate needs more evidence, share of the headroom 0…1: much that is faint comes and goes.</summary>
         public double FaintRise { get; set; } = 0.12;
+
+        /// <summary>Least evidence of a candidate fainter than that, log-odds −20…20.</summary>
+        public double FaintLogOdds { get; set; } = 1.3;
+
+        /// <summary>Share of the picture's tiles that have risen, 0…1, from which such a candidate must be conclusive: many at once are no laser.</summary>
+        public double CrowdedShare { get; set; } = 1 / 60.0;
 
         /// <summary>Least evidence of a candidate, log-odds −20…20: below, one reason is named. See DotEvidence.</summary>
         public double MinLogOdds { get; set; } = 0.4;
@@ -102,6 +108,8 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MinRiseSigmas), MinRiseSigmas, 0, 100);
             SettingCheck.InRange(nameof(MinRise), MinRise, 0, 1);
             SettingCheck.InRange(nameof(FaintRise), FaintRise, 0, 1);
+            SettingCheck.InRange(nameof(FaintLogOdds), FaintLogOdds, -20, 20);
+            SettingCheck.InRange(nameof(CrowdedShare), CrowdedShare, 0, 1);
             SettingCheck.InRange(nameof(MinLogOdds), MinLogOdds, -20, 20);
             SettingCheck.InRange(nameof(ConclusiveLogOdds), ConclusiveLogOdds, -20, 20);
             SettingCheck.InRange(nameof(ContentLogOdds), ContentLogOdds, 0, 20);

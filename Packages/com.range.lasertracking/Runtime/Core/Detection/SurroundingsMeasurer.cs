@@ -181,6 +181,7 @@ namespace LaserTracking.Detection
             candidate.GreenHeadroom = greenRoom / (double)pixels;
             candidate.RedRise = red;
             candidate.GreenRise = green;
+            candidate.BlueRise = blue;
             candidate.GreenCoherence = either > 0 ? (green - red) / either : 0;
             double unit = 255 / ((double)candidate.Area * candidate.PeakRelativeRise);
             candidate.Vividness = Math.Max(red, green) * unit;

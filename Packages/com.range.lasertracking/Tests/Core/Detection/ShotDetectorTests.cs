@@ -42,6 +42,18 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        public void Process_ReddishWhiteDot_HasNoColor()
+        {
+            // Near infrared through the three filters of a colour camera.
+            var run = new DetectionRun();
+            run.Play(0, 8, (b, i) => b.Wall(100, 100, 100));
+            run.Play(8, 1, (b, i) => b.Wall(100, 100, 100).Dot(60, 200, 2, 1260, 840, 1400));
+            run.Play(9, 6, (b, i) => b.Wall(100, 100, 100));
+            Assert.That(run.Shots.Count, Is.EqualTo(1));
+            Assert.That(run.Shots[0].Dot.Color, Is.EqualTo(LaserColor.Unknown));
+        }
+
+        [Test]
         public void Process_UnsaturatedDotOnDarkWall_IsFound()
         {
             var run = new DetectionRun();
