@@ -46,8 +46,9 @@ namespace LaserTracking.Unity
         /// <param name="source">Where they come from: says what kind of clock they have.</param>
         /// <param name="handModel">Used by the pipeline; owned from now on. Or null.</param>
         /// <param name="events">Where the pipeline's events go; what befalls the sources goes there too.</param>
+        /// <param name="look">See <see cref="Look"/>; from the first frame on.</param>
         public FramePump(RangePipeline pipeline, IFrameSource screenCamera, IFrameSource? handCamera, long handClockOffsetUs, FrameSourceAsset source,
-            IDisposable? handModel, EventInbox events)
+            IDisposable? handModel, EventInbox events, Action<Frame>? look)
         {
             _pipeline = pipeline;
             _screenCamera = screenCamera;
@@ -58,6 +59,7 @@ namespace LaserTracking.Unity
             _clock = new SceneClock(_isLive, source.LatencyS);
             _handModel = handModel;
             _events = events;
+            _look = look;
             _thread = new Thread(Run) { IsBackground = true, Name = "laser detection of " + screenCamera.Info.Name };
             _thread.Start();
         }
@@ -108,6 +110,7 @@ namespace LaserTracking.Unity
         /// <param name="unityTimeS">Unity's time, seconds.</param>
         public void Update(double unityTimeS)
         {
+            TellDropped();
             lock (_lock)
             {
                 if (!_hasFrame || _hasEnded)
@@ -121,8 +124,6 @@ namespace LaserTracking.Unity
                 _dueUs = (long)Math.Round(_clock.TimeS * 1e6) + _sceneTimeZeroUs.Value;
                 Monitor.PulseAll(_lock);
             }
-
-            TellDropped();
         }
 
         /// <summary>Waits until every frame that is due has been processed; at once for a live source, whose frames are never due.</summary>

@@ -30,8 +30,10 @@ namespace LaserTracking.Unity
         /// <summary>Shots will have a place on the screen.</summary>
         public bool HasCalibration { get; private set; }
 
+        /// <param name="events">Where what it finds goes.</param>
+        /// <param name="look">Takes the frames instead of the detector; or null.</param>
         /// <exception cref="InputException">The source or its calibration cannot be used; nothing stays open.</exception>
-        public FramePump Open(EventInbox events)
+        public FramePump Open(EventInbox events, Action<Frame>? look)
         {
             IFrameSource? source = null, handSource = null;
             HandLandmarkNetwork? handModel = null;
@@ -49,7 +51,7 @@ namespace LaserTracking.Unity
                 // No scorer: rays are cast by Unity's physics, which only its own thread may ask.
                 RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(), calibration, handSource != null, null, events, settings, handModel);
                 pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
-                return new FramePump(pipeline, source, handSource, handClockOffsetUs, _asset, handModel, events);
+                return new FramePump(pipeline, source, handSource, handClockOffsetUs, _asset, handModel, events, look);
             }
             catch
             {
