@@ -29,6 +29,8 @@ namespace LaserTracking.Repository
 
         public bool HasNoEngineReferences => Flag("noEngineReferences");
 
+        public bool AllowsUnsafeCode => Flag("allowUnsafeCode");
+
         public bool IsAutoReferenced => Flag("autoReferenced");
 
         public IReadOnlyList<string> References => Strings("references");

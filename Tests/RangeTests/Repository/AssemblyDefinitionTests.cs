@@ -80,6 +80,18 @@ namespace LaserTracking.Repository
             Assert.That(AssemblyDefinition.All.Where(assembly => assembly != calibration && assembly.OwnReferences.Contains(calibration)), Is.Empty, "the package works without MathNet");
         }
 
+        [TestCase("Range.LaserTracking.Kinect", "RANGE_KINECT", "Microsoft.Azure.Kinect.Sensor.dll")]
+        [TestCase("Range.LaserTracking.OpenCv", "RANGE_OPENCV", "OpenCvSharp.dll")]
+        public void AssemblyDefinition_OfAVendor_SleepsUntilItsLibraryIsThere(string name, string symbol, string library)
+        {
+            AssemblyDefinition vendor = AssemblyDefinition.All.Single(assembly => assembly.Name == name);
+            Assert.That(vendor.DefineConstraints, Is.EqualTo(new[] { symbol }));
+            Assert.That(vendor.PrecompiledReferences, Is.EqualTo(new[] { library }));
+            Assert.That(vendor.VersionDefines.Values, Is.All.EqualTo(symbol));
+            Assert.That(vendor.IncludePlatforms, Does.Contain("Editor").And.Contain("WindowsStandalone64"));
+            Assert.That(AssemblyDefinition.All.Where(assembly => assembly.OwnReferences.Contains(vendor)), Is.Empty, "the package works without it");
+        }
+
         [Test]
         public void AssemblyDefinition_OfTests_IsBuiltForTestsOnly()
         {

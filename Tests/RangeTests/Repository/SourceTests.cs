@@ -108,7 +108,7 @@ namespace LaserTracking.Repository
         [Test]
         public void Source_MonoBehaviour_HasItsNameAsFileName()
         {
-            var behaviour = new Regex(@"class (\w+)[^{\n]*:\s*(?:MonoBehaviour|ScriptableObject|FrameSourceAsset)\b");
+            var behaviour = new Regex(@"class (\w+)[^{\n]*:\s*(?:MonoBehaviour|ScriptableObject|EditorWindow|\w+SourceAsset)\b");
             IEnumerable<string> scripts = Product.Where(path => behaviour.IsMatch(RepositoryFiles.Read(path)));
             Assert.That(scripts, Is.Not.Empty);
             Assert.That(scripts.Where(path => behaviour.Matches(RepositoryFiles.Read(path)).Any(match => match.Groups[1].Value != Path.GetFileNameWithoutExtension(path))), Is.Empty);

@@ -7,6 +7,8 @@ namespace UnityEngine
     {
         public static bool isPlaying => true;
 
+        public static RuntimePlatform platform => RuntimePlatform.LinuxEditor;
+
         public static string persistentDataPath => Desk.PersistentDataPath;
 
         public static string streamingAssetsPath => Desk.StreamingAssetsPath;

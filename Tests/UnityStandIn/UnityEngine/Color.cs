@@ -22,6 +22,14 @@ namespace UnityEngine
 
         public static Color black => new Color(0, 0, 0, 1);
 
+        public static Color red => new Color(1, 0, 0, 1);
+
+        public static Color green => new Color(0, 1, 0, 1);
+
+        public static Color magenta => new Color(1, 0, 1, 1);
+
+        public static Color yellow => new Color(1, 0.92156863f, 0.015686275f, 1);
+
         public static Color cyan => new Color(0, 1, 1, 1);
 
         public bool Equals(Color other) => r == other.r && g == other.g && b == other.b && a == other.a;

@@ -27,6 +27,8 @@ namespace UnityEngine
 
         public T[] GetComponentsInChildren<T>() => gameObject.GetComponentsInChildren<T>();
 
+        public T[] GetComponentsInChildren<T>(bool includeInactive) => gameObject.GetComponentsInChildren<T>(includeInactive);
+
         internal void AttachTo(GameObject owner) => gameObject = owner;
 
         /// <summary>Brings life-cycle state in line with active and enabled flags.</summary>

@@ -138,10 +138,12 @@ namespace UnityEngine
         }
 
         /// <summary>On this object and below, depth first, on active objects only.</summary>
-        public T[] GetComponentsInChildren<T>()
+        public T[] GetComponentsInChildren<T>() => GetComponentsInChildren<T>(false);
+
+        public T[] GetComponentsInChildren<T>(bool includeInactive)
         {
             var found = new List<T>();
-            CollectBelow(found);
+            CollectBelow(found, includeInactive);
             return found.ToArray();
         }
 
@@ -187,13 +189,13 @@ namespace UnityEngine
             }
         }
 
-        private void CollectBelow<T>(List<T> found)
+        private void CollectBelow<T>(List<T> found, bool includeInactive)
         {
-            if (!activeInHierarchy)
+            if (!includeInactive && !activeInHierarchy)
                 return;
             CollectHere(found);
             foreach (Transform child in transform.Children)
-                child.gameObject.CollectBelow(found);
+                child.gameObject.CollectBelow(found, includeInactive);
         }
     }
 }

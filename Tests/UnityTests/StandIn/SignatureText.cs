@@ -155,8 +155,11 @@ namespace LaserTracking.Unity
         {
             string way = parameter.IsOut ? "out " : parameter.IsIn ? "in " : parameter.ParameterType.IsByRef ? "ref "
                 : parameter.IsDefined(typeof(ParamArrayAttribute), false) ? "params " : "";
-            return way + NameOf(parameter.ParameterType) + " " + parameter.Name + (parameter.HasDefaultValue ? " = " + Literal(parameter.RawDefaultValue) : "");
+            return way + NameOf(parameter.ParameterType) + " " + parameter.Name + (parameter.HasDefaultValue ? " = " + Default(parameter) : "");
         }
+
+        private static string Default(ParameterInfo parameter) =>
+            parameter.ParameterType.IsEnum ? NameOf(parameter.ParameterType) + "." + Enum.GetName(parameter.ParameterType, parameter.RawDefaultValue!) : Literal(parameter.RawDefaultValue);
 
         private static string Literal(object? value) => value switch
         {

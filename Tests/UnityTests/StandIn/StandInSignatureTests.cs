@@ -72,12 +72,13 @@ namespace LaserTracking.Unity
         private static bool IsUnitys(Type type) =>
             type.Namespace == "UnityEngine" || type.Namespace!.StartsWith("UnityEngine.", StringComparison.Ordinal) || type.Namespace.StartsWith("Unity.", StringComparison.Ordinal);
 
-        private static IEnumerable<string> ProblemsOf(SignatureList list, Type type, string name)
+        internal static IEnumerable<string> ProblemsOf(SignatureList list, Type type, string name)
         {
             var wrong = new List<string>();
             if (!Check(list, name, wrong))
                 return wrong;
-            if (list.KindOf(name) != SignatureText.Kind(type))
+            // C# 9 has no record structs; to whoever uses one it is a struct.
+            if (list.KindOf(name).Replace("readonly record struct", "struct") != SignatureText.Kind(type))
                 wrong.Add(name + " is \"" + SignatureText.Kind(type) + "\", Unity's is \"" + list.KindOf(name) + "\"");
             IEnumerable<Type> bases = type.GetInterfaces().Except(type.BaseType?.GetInterfaces() ?? Type.EmptyTypes);
             Type[] roots = { typeof(object), typeof(ValueType), typeof(Enum) };
@@ -90,7 +91,7 @@ namespace LaserTracking.Unity
             return wrong;
         }
 
-        private static bool Check(SignatureList list, string entry, List<string> wrong)
+        internal static bool Check(SignatureList list, string entry, List<string> wrong)
         {
             if (!list.TryGetTags(entry, out string tags))
             {

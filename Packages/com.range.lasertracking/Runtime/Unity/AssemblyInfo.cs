@@ -2,3 +2,4 @@ using System.Runtime.CompilerServices;
 
 [assembly: InternalsVisibleTo("Range.LaserTracking.Tests")]
 [assembly: InternalsVisibleTo("UnityTests")]
+[assembly: InternalsVisibleTo("Range.LaserTracking.Editor")]

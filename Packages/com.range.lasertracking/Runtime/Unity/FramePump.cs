@@ -38,6 +38,7 @@ namespace LaserTracking.Unity
         private long _dueUs = long.MinValue;
         private long _toldDropped;
         private Action<Frame>? _look;
+        private volatile SessionLogWriter? _recording;
 
         /// <param name="pipeline">Already begun; used by the thread alone from now on.</param>
         /// <param name="screenCamera">Camera 0; owned from now on.</param>
@@ -46,9 +47,10 @@ namespace LaserTracking.Unity
         /// <param name="source">Where they come from: says what kind of clock they have.</param>
         /// <param name="handModel">Used by the pipeline; owned from now on. Or null.</param>
         /// <param name="events">Where the pipeline's events go; what befalls the sources goes there too.</param>
+        /// <param name="recording">Records what the detector gets; stays the caller's. Or null.</param>
         /// <param name="look">See <see cref="Look"/>; from the first frame on.</param>
         public FramePump(RangePipeline pipeline, IFrameSource screenCamera, IFrameSource? handCamera, long handClockOffsetUs, FrameSourceAsset source,
-            IDisposable? handModel, EventInbox events, Action<Frame>? look)
+            IDisposable? handModel, EventInbox events, SessionLogWriter? recording, Action<Frame>? look)
         {
             _pipeline = pipeline;
             _screenCamera = screenCamera;
@@ -60,6 +62,9 @@ namespace LaserTracking.Unity
             _handModel = handModel;
             _events = events;
             _look = look;
+            _recording = recording;
+            _runner.BeforeFrame = frame => _recording?.AddScreenFrame(frame);
+            _runner.HandFrameRead = frame => _recording?.AddHandFrame(frame);
             _thread = new Thread(Run) { IsBackground = true, Name = "laser detection of " + screenCamera.Info.Name };
             _thread.Start();
         }
@@ -98,6 +103,9 @@ namespace LaserTracking.Unity
                     _look = value;
             }
         }
+
+        /// <summary>From the next frame on nothing is recorded.</summary>
+        public void StopRecording() => _recording = null;
 
         /// <summary>Seconds on the scene's clock of a time on camera 0's; after the first frame.</summary>
         public double ToSceneTimeS(long timeUs)

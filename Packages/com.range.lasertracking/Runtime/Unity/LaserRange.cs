@@ -73,6 +73,9 @@ namespace LaserTracking.Unity
 
         internal string HandModelFile => _handModelFile;
 
+        /// <summary>Records what the detector gets, when there is one.</summary>
+        internal RangeRecorder? Recorder { get; private set; }
+
         /// <summary>
         /// Waits until all frames that are due have been processed and raises their events: for tests and replays that must see the same
         /// in every frame. Without it Unity's thread waits for nobody, and an event comes with the Update after its frame is done.
@@ -95,6 +98,17 @@ namespace LaserTracking.Unity
 
         /// <summary>Opens source and calibration anew, in the next Update.</summary>
         public void Restart() => Close();
+
+        /// <summary>From the next opening on; what is open already is opened anew.</summary>
+        internal void AttachRecorder(RangeRecorder recorder)
+        {
+            Recorder = recorder;
+            if (_pump != null)
+                Restart();
+        }
+
+        /// <summary>The recorder gets no more frames; the range goes on.</summary>
+        internal void DetachFrames() => _pump?.StopRecording();
 
         /// <summary>While set, camera 0's frames go there instead of to the detector, on the detector's thread.</summary>
         internal void SetLook(Action<Frame>? look)
@@ -219,6 +233,8 @@ namespace LaserTracking.Unity
             _pump.Dispose();
             RaiseEvents();
             _pump = null;
+            if (Recorder != null)
+                Recorder.End(true);
         }
 
         private LaserRange? OtherRangeWith(FrameSourceAsset source)

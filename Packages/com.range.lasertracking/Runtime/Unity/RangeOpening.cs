@@ -51,7 +51,8 @@ namespace LaserTracking.Unity
                 // No scorer: rays are cast by Unity's physics, which only its own thread may ask.
                 RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(), calibration, handSource != null, null, events, settings, handModel);
                 pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
-                return new FramePump(pipeline, source, handSource, handClockOffsetUs, _asset, handModel, events, look);
+                SessionLogWriter? recording = _range.Recorder?.Begin(_asset, source, handSource, handClockOffsetUs, calibration);
+                return new FramePump(pipeline, source, handSource, handClockOffsetUs, _asset, handModel, events, recording, look);
             }
             catch
             {

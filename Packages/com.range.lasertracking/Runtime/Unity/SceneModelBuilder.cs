@@ -16,13 +16,23 @@ namespace LaserTracking.Unity
         private readonly Dictionary<Transform, List<SceneCollider>> _colliders = new Dictionary<Transform, List<SceneCollider>>();
         private readonly HashSet<string> _names = new HashSet<string>();
 
-        private SceneModelBuilder()
+        private readonly MovedObjects? _moved;
+
+        private SceneModelBuilder(MovedObjects? moved)
         {
+            _moved = moved;
         }
 
         /// <summary>The scene that a range stands in, at rest: motions are functions of the scene's clock.</summary>
         /// <exception cref="InputException">It cannot be described: which object, why, what to do.</exception>
-        public static SceneModel Build(LaserRange range)
+        public static SceneModel Build(LaserRange range) => Build(range, new SceneModelBuilder(null));
+
+        /// <summary>The same where something else moves targets that have a <see cref="TargetMotion"/> of kind None: their poses are to be logged.</summary>
+        /// <param name="range">See above.</param>
+        /// <param name="moved">What has to be logged.</param>
+        internal static SceneModel Build(LaserRange range, out MovedObjects moved) => Build(range, new SceneModelBuilder(moved = new MovedObjects()));
+
+        private static SceneModel Build(LaserRange range, SceneModelBuilder builder)
         {
             ScreenSurface? screen = range.Screen;
             Transform? viewpoint = range.Viewpoint;
@@ -40,7 +50,6 @@ namespace LaserTracking.Unity
                 MovingTargets.At(i).Rest();
             try
             {
-                var builder = new SceneModelBuilder();
                 foreach (GameObject root in range.gameObject.scene.GetRootGameObjects())
                     builder.Collect(root.transform);
                 SceneObject[] objects = builder._owners.ConvertAll(builder.Describe).ToArray();
@@ -65,7 +74,8 @@ namespace LaserTracking.Unity
             {
                 if (!component.enabled)
                     continue;
-                ExpectStill(carrier);
+                if (_moved == null || LoggedMoverOf(carrier) == null)
+                    ExpectStill(carrier);
                 SceneCollider collider = Describe(component);
                 Own(owner).Add(owner == carrier ? collider : collider.OnChild(PoseIn(owner, carrier), carrier.lossyScale.ToCore(), carrier.gameObject.layer));
             }
@@ -101,6 +111,8 @@ namespace LaserTracking.Unity
             }
 
             MotionPath motion = MotionOf(owner, out Rotation3D parentRotation);
+            if (_moved != null && LoggedMoverOf(owner) is TargetMotion logged)
+                _moved.Add(_owners.IndexOf(owner), owner, logged);
             return new SceneObject(owner.name, owner.gameObject.layer, owner.WorldPose(), owner.lossyScale.ToCore(), parentRotation, motion, _colliders[owner].ToArray(), definition);
         }
 
@@ -160,6 +172,19 @@ namespace LaserTracking.Unity
             }
 
             return mover;
+        }
+
+        /// <summary>The motion, its own or one above it, that remembers where something else moves it.</summary>
+        private static TargetMotion? LoggedMoverOf(Transform moved)
+        {
+            for (Transform? candidate = moved; candidate != null; candidate = candidate.parent)
+            {
+                TargetMotion? motion = candidate.GetComponent<TargetMotion>();
+                if (motion != null && motion.isActiveAndEnabled && motion.Path.Kind == MotionKind.None)
+                    return motion;
+            }
+
+            return null;
         }
 
         private static Pose PoseIn(Transform target, Transform child)

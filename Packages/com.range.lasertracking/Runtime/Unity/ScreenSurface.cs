@@ -53,6 +53,9 @@ namespace LaserTracking.Unity
         public string? CalibrationPath =>
             _calibrationFile.Length == 0 ? null : Path.Combine(Application.persistentDataPath, _calibrationFile);
 
+        /// <summary>Puts a calibration in use for this run.</summary>
+        internal void Use(RangeCalibration calibration) => _inUse = calibration;
+
         /// <summary>Puts a calibration in use, and in the file where there shall be one. A range reads it when it opens.</summary>
         /// <param name="calibration">The screen's own.</param>
         /// <param name="problem">Why it could not be kept; it is in use all the same until this component is gone.</param>

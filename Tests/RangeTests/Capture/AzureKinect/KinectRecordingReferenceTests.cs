@@ -8,11 +8,11 @@ using NUnit.Framework;
 
 namespace LaserTracking.Capture.AzureKinect
 {
-    /// <summary>Every recording of the reference data against what the genuine playback library returned.</summary>
+    /// <summary>Every recording of the reference data, and its copy by our writer, against what the genuine playback library returned.</summary>
     [Category("Reference")]
     public sealed class KinectRecordingReferenceTests
     {
-        private static IEnumerable<string> References => KinectReference.All();
+        private static IEnumerable<string> References => KinectReference.AllAndCopies();
 
         [TestCaseSource(nameof(References))]
         public void KinectRecording_Opened_HasTheReferenceConfiguration(string name)

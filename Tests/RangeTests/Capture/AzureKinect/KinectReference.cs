@@ -11,10 +11,14 @@ namespace LaserTracking.Capture.AzureKinect
     /// <summary>One recording of the reference data with what the genuine playback library returned for it.</summary>
     internal sealed class KinectReference : IDisposable
     {
-        private KinectReference(string jsonPath)
+        private const string Copied = " copied";
+
+        private KinectReference(string jsonPath, bool isCopied)
         {
             Json = JObject.Parse(File.ReadAllText(jsonPath));
             Recording = KinectRecording.Open(Path.Combine(Path.GetDirectoryName(jsonPath)!, (string)Json["file"]!));
+            if (isCopied)
+                Recording = Copy(Recording);
             long trueOffsetUs = (long)((ulong?)Json["tags"]?["K4A_START_OFFSET_NS"] ?? 0) / 1000;
             OffsetCorrectionUs = trueOffsetUs - (long)Json["record_configuration"]!["start_timestamp_offset_usec"]!;
         }
@@ -36,11 +40,23 @@ namespace LaserTracking.Capture.AzureKinect
             return names.Length > 0 ? names : new[] { "" };
         }
 
+        /// <summary>The same, each also as our own recorder writes it.</summary>
+        public static IEnumerable<string> AllAndCopies() => All().Concat(All().Where(name => name.Length > 0).Select(name => name + Copied));
+
         public static KinectReference Open(string name)
         {
             if (name.Length == 0)
                 Assert.Ignore("reference data not there: " + Path.Combine(TestFiles.Data, "k4a", "*.reference.json"));
-            return new KinectReference(TestFiles.Reference("k4a", name));
+            bool isCopied = name.EndsWith(Copied, StringComparison.Ordinal);
+            return new KinectReference(TestFiles.Reference("k4a", isCopied ? name[..^Copied.Length] : name), isCopied);
+        }
+
+        private static KinectRecording Copy(KinectRecording recording)
+        {
+            var copy = new MemoryStream();
+            using (recording)
+                KinectRecordingCopier.Copy(recording, copy);
+            return new KinectRecording(copy, recording.Name);
         }
 
         public string PayloadHash(in KinectImage image)

@@ -43,6 +43,10 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("lens-exact", "the same 1,000,000 pixels to exact rays by Newton's method", LensBenchmark.Exact),
             new Benchmark("calibrate-stereo", "13 pairs of 48 corners: both cameras and how they stand to each other", StereoBenchmark.Prepare),
             new Benchmark("decode-720p-mjpg", "one 1280×720 4:2:2 JPEG to YUY2", Decode),
+            new Benchmark("record-720p-nv12", "one 1280×720 NV12 frame laid out and summed for a recording, every bit of it; without the disk", RecordingBenchmarks.Whole),
+            new Benchmark("record-jpeg-720p", "the same as a JPEG of quality 90", RecordingBenchmarks.Jpeg),
+            new Benchmark("crop-screen-1080p", "the screen's part cut out of a 1920×1080 BGRA frame: what recording costs the capture thread", () => RecordingBenchmarks.Screen(false)),
+            new Benchmark("record-screen-1080p", "the same and laid out and summed", () => RecordingBenchmarks.Screen(true)),
             new Benchmark("board-1080p", "1920×1080 grey picture in, 9×6 corners of a board out; clutter, tilt, lens, blur, noise", BoardBenchmark.Prepare),
             new Benchmark("end-to-end-720p", "1280×720 NV12 frame in, scored hit and event line out; 2 shooters, shots all the time", EndToEnd),
         };

@@ -4,13 +4,9 @@ using System.Threading;
 using System.Threading.Tasks;
 using LaserTracking.Capture;
 using LaserTracking.Host.Pictures;
-using LaserTracking.Host.Scenes;
 using LaserTracking.Host.Sessions;
 using LaserTracking.Imaging;
-using LaserTracking.Scoring;
-using LaserTracking.Session;
 using LaserTracking.Simulation;
-using LaserTracking.Tracking;
 
 namespace LaserTracking.Host.Commands
 {
@@ -32,32 +28,14 @@ namespace LaserTracking.Host.Commands
         {
             string root = RepositoryFolder.Find();
             string scenarioFile = Path.Combine(root, "Assets", "Sources", "demo.scenario.json");
-            SceneModel scene = UnitySceneReader.Read(Path.Combine(root, "Assets", "Scenes", "Range.unity"));
-            SimulationScenario scenario = SimulationScenarioFile.Read(scenarioFile);
-            if (seed is { } other)
-                scenario.Seed = other;
-
-            var range = new SimulatedRange(scenario, scene);
-            using IFrameSource screenCamera = new PrefetchingFrameSource(range.CreateColorSource());
-            using IFrameSource handCamera = new PrefetchingFrameSource(range.CreateDepthSource());
-            var plan = new SessionPlan
-            {
-                ScreenCamera = screenCamera,
-                HandCamera = handCamera,
-                HandClockOffsetUs = range.Truth.ColorClockUs(0) - range.Truth.DepthClockUs(0),
-                Calibration = range.Calibration,
-                CalibrationName = "simulation",
-                CameraTiming = new CameraTimingSettings { ExposureUs = scenario.ColorCamera.ExposureUs, RowUs = scenario.ColorCamera.RollingShutterRowUs },
-                Scene = scene,
-                SceneTimeZeroUs = range.Truth.ColorClockUs(0),
-                Inputs = new[] { new SessionInput(InputName, InputHash.Of(scenarioFile).Sha256) },
-                Seed = scenario.Seed,
-            };
+            SessionPlan plan = SimulatedSession.Create(scenarioFile, InputName, null, seed, out SimulatedRange range);
+            using IFrameSource screenCamera = plan.ScreenCamera;
+            using IFrameSource? handCamera = plan.HandCamera;
             var outputs = new SessionOutputs(Path.Combine(folder, "events.jsonl"), null, folder) { BackgroundPng = DrawPicture(range) };
             int exitCode = outputs.Run(plan, "Demo session", interrupted);
             if (exitCode == ExitCodes.Done)
             {
-                SimulationTruthWriter.Write(range.Truth, InputName, scenario, Path.Combine(folder, "truth.json"));
+                SimulationTruthWriter.Write(range.Truth, InputName, range.Scenario, Path.Combine(folder, "truth.json"));
                 TruthComparison.Print(outputs.Recorder, range.Truth);
             }
 

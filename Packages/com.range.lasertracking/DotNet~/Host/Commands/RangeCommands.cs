@@ -11,6 +11,7 @@ namespace LaserTracking.Host.Commands
             {
                 DemoCommand.Create(),
                 ReplayCommand.Create(),
+                RecordCommand.Create(),
                 SendCommand.Create(),
                 InfoCommand.Create(),
                 ExtractCommand.Create(),

@@ -4,6 +4,7 @@ using System.CommandLine;
 using System.Threading;
 using System.Threading.Tasks;
 using LaserTracking.Capture;
+using LaserTracking.Capture.AzureKinect;
 using LaserTracking.Geometry;
 using LaserTracking.Hands.Model;
 using LaserTracking.Host.HandModels;
@@ -23,7 +24,7 @@ namespace LaserTracking.Host.Commands
     {
         public static Command Create()
         {
-            var input = new Argument<string>("INPUT") { Description = "An Azure Kinect recording, any video that ffmpeg reads, or a folder of numbered images." };
+            var input = new Argument<string>("INPUT") { Description = "An Azure Kinect recording, any video that ffmpeg reads, a folder of numbered images, a recorded session's folder, or a simulation's scenario (.json)." };
             var hand = new Option<string?>("--hand") { HelpName = "FILE", Description = "The second camera's recording: who fired, from where." };
             var handOffset = new Option<long>("--hand-offset-us") { HelpName = "US", Description = "Added to the second camera's times, microseconds." };
             var handModel = new Option<string?>("--hand-model") { HelpName = "NAME", Description = "Sharpens palms and sides with the hand model lite or full, where the second camera's recording has infrared; './range models' fetches it. Left out: depth alone." };
@@ -35,12 +36,13 @@ namespace LaserTracking.Host.Commands
             var rejected = new Option<string>("--rejected") { HelpName = "WHICH", Description = "Rejected candidates among the events: all (default); notable: without those that moving edges make, too faint, too small or not compact; none.", DefaultValueFactory = _ => "all" };
             var dots = new Option<string?>("--dots") { HelpName = "FILE", Description = "Writes every tracked dot in every frame there." };
             var report = new Option<string?>("--report") { HelpName = "DIR", Description = "Writes report.html into this folder." };
+            var session = new Option<string?>("--session") { HelpName = "DIR", Description = "Records the session into this folder: frames, calibration, scene, settings, events; './range replay DIR' runs it again and gives the same bytes." };
             var paced = new Option<bool>("--paced") { Description = "Runs at the recording's own speed." };
             var send = new Option<string?>("--send") { HelpName = "HOST:PORT", Description = "Sends shots and hands to a remote input as they are found; usually with --paced." };
             var keyFile = new Option<string?>("--key-file") { HelpName = "FILE", Description = "The key for --send." };
             var exposure = new Option<double>("--exposure-us") { HelpName = "US", Description = "The camera's shutter, microseconds: narrows the uncertainty of time and place, and what is said about the picture." };
             var row = new Option<double>("--row-us") { HelpName = "US", Description = "Rolling shutter: delay from one row to the next, microseconds." };
-            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, handModel, calibration, scene, rendered, detector, events, rejected, dots, report, paced, send, keyFile, exposure, row };
+            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, handModel, calibration, scene, rendered, detector, events, rejected, dots, report, session, paced, send, keyFile, exposure, row };
             command.SetAction((parsed, interrupted) =>
             {
                 RangeSession.CreateDetector(parsed.GetValue(detector)!);
@@ -48,7 +50,36 @@ namespace LaserTracking.Host.Commands
                 RejectedLines which = SessionOutputs.ParseRejected(parsed.GetValue(rejected)!);
                 string name = parsed.GetValue(input)!;
                 string? handName = parsed.GetValue(hand), calibrationName = parsed.GetValue(calibration), sceneName = parsed.GetValue(scene), renderedName = parsed.GetValue(rendered);
-                foreach (string? result in new[] { parsed.GetValue(events), parsed.GetValue(dots) })
+                string? sessionFolder = parsed.GetValue(session), eventsName = parsed.GetValue(events);
+                if (sessionFolder != null && SessionLog.IsIn(sessionFolder))
+                    throw new InputException(sessionFolder, "holds a session already, which is not overwritten", "name another folder");
+                if (sessionFolder != null)
+                    eventsName ??= System.IO.Path.Combine(sessionFolder, SessionLog.EventsFileName);
+                string? sendTo = parsed.GetValue(send), key = parsed.GetValue(keyFile);
+                int Run(SessionPlan plan, KinectRecording? device)
+                {
+                    using RemoteSender? sender = sendTo == null ? null : SendTarget.Open("--send", sendTo, key);
+                    var outputs = new SessionOutputs(eventsName, parsed.GetValue(dots), parsed.GetValue(report)) { Rejected = which, Listener = sender == null ? null : new RemoteEventSink(sender) };
+                    int RunPlan(SessionPlan final) => outputs.Run(final, "Replay of " + name, interrupted);
+                    return sessionFolder == null ? RunPlan(plan) : SessionFolder.Record(sessionFolder, plan, parsed.GetValue(handModel), device, RunPlan);
+                }
+
+                bool isSession = SessionLog.IsIn(name), isScenario = CameraInput.IsScenario(name);
+                if (isSession || isScenario)
+                {
+                    Option[] own = isSession ? [hand, handOffset, handModel, calibration, scene, rendered, detector, session, exposure, row] : [hand, handOffset, calibration, rendered, exposure, row];
+                    foreach (Option option in own)
+                    {
+                        if (parsed.GetResult(option) is { Implicit: false })
+                            throw new InputException(option.Name, isSession ? "a recorded session brings its own" : "a simulation brings its own", "leave it out");
+                    }
+
+                    ResultFile.CheckNotRead(eventsName, isSession ? System.IO.Path.Combine(name, SessionLog.EventsFileName) : name);
+                    return Task.FromResult(isSession ? ReplaySession(name, parsed.GetValue(paced), plan => Run(plan, null))
+                        : Simulate(name, sceneName, parsed.GetValue(detector)!, parsed.GetValue(handModel), parsed.GetValue(paced), plan => Run(plan, null)));
+                }
+
+                foreach (string? result in new[] { eventsName, parsed.GetValue(dots) })
                     ResultFile.CheckNotRead(result, name, handName, calibrationName, sceneName, renderedName);
                 RangeCalibration? geometry = calibrationName == null ? null : RangeCalibrationFile.Read(calibrationName);
                 SceneModel? model = sceneName == null ? null : UnitySceneReader.Read(sceneName);
@@ -63,8 +94,8 @@ namespace LaserTracking.Host.Commands
                 if (parsed.GetValue(handModel) != null && handName == null)
                     throw new InputException("--hand-model", "there is no second camera to look at hands with", "add --hand FILE");
                 using HandLandmarkNetwork? hands = HandModelStore.TryOpen(parsed.GetValue(handModel), out string handModelProblem);
-                string? sendTo = parsed.GetValue(send), key = parsed.GetValue(keyFile);
-                using RemoteSender? sender = sendTo == null ? null : SendTarget.Open("--send", sendTo, key);
+                if (renderedName != null && sessionFolder != null)
+                    throw new InputException("--session", "rendered frames are not recorded", "leave out --session or --rendered");
                 string problem = "";
                 using RenderedVideo? video = renderedName == null ? null : RenderedVideo.Open(renderedName, name, geometry!, interrupted, out problem);
                 IFrameSource screenFrames = FrameSources.OpenScreenCamera(name);
@@ -95,10 +126,31 @@ namespace LaserTracking.Host.Commands
                     CameraTiming = timing,
                     IsPaced = parsed.GetValue(paced),
                 };
-                var outputs = new SessionOutputs(parsed.GetValue(events), parsed.GetValue(dots), parsed.GetValue(report)) { Rejected = which, Listener = sender == null ? null : new RemoteEventSink(sender) };
-                return Task.FromResult(outputs.Run(plan, "Replay of " + name, interrupted));
+                return Task.FromResult(Run(plan, (screenFrames as KinectRecordingSource)?.Recording));
             });
             return command;
+        }
+
+        private static int ReplaySession(string folder, bool isPaced, Func<SessionPlan, int> run)
+        {
+            SessionPlan plan = SessionFolder.Open(folder, out string[] doubts) with { IsPaced = isPaced };
+            using IFrameSource screen = plan.ScreenCamera;
+            using IFrameSource? hands = plan.HandCamera;
+            using HandLandmarkNetwork? model = plan.HandModel;
+            foreach (string doubt in doubts)
+                Console.Error.WriteLine($"range: {folder}: {doubt}: its events may come out otherwise than recorded");
+            return run(plan);
+        }
+
+        private static int Simulate(string name, string? sceneName, string detector, string? handModel, bool isPaced, Func<SessionPlan, int> run)
+        {
+            if (detector == "dual")
+                throw new InputException("--detector", "a simulation has no device calibration, which dual needs", "give shots or paper");
+            SessionPlan plan = SimulatedSession.Create(name, name, sceneName == null ? null : UnitySceneReader.Read(sceneName), null, out _);
+            using IFrameSource screen = plan.ScreenCamera;
+            using IFrameSource? hands = plan.HandCamera;
+            using HandLandmarkNetwork? model = HandModelStore.TryOpen(handModel, out string problem);
+            return run(plan with { Detector = detector, HandModel = model, HandModelProblem = problem, IsPaced = isPaced });
         }
 
         private static CameraTimingSettings Timing(double exposureUs, double rowUs)

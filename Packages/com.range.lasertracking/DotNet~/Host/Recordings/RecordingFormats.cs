@@ -13,6 +13,7 @@ namespace LaserTracking.Host.Recordings
             KinectImageFormat.Bgra32 => "BGRA32",
             KinectImageFormat.Depth16 => "DEPTH16",
             KinectImageFormat.Ir16 => "IR16",
+            KinectImageFormat.Gray8 => "GRAY8",
             _ => track.CodecId,
         };
 

@@ -115,6 +115,8 @@ namespace LaserTracking.Host.Recordings
                     description["fps"] = track.FramesPerSecond;
                 }
 
+                if (track == _recording.ColorTrack && _recording.Configuration.ColorRegion is { } region)
+                    description["region"] = new JsonObject { ["x"] = region.X, ["y"] = region.Y, ["full_width"] = region.FullWidth, ["full_height"] = region.FullHeight };
                 description["frames"] = _frames[track];
                 tracks.Add(description);
             }

@@ -52,7 +52,7 @@ namespace LaserTracking.Host.Sessions
                     Advisor = new AdvisorSettings { ExposureUs = plan.CameraTiming.ExposureUs },
                 },
                 plan.HandModel);
-            pipeline.Begin(new SessionHeader(Version, plan.Inputs, plan.CalibrationName, plan.Detector, plan.Seed));
+            pipeline.Begin(new SessionHeader(plan.Version ?? Version, plan.Inputs, plan.CalibrationName, plan.Detector, plan.Seed));
             ReportOtherSizes(pipeline, plan);
             if (plan.Detector == "dual" && plan.InfraredProblem != null)
                 pipeline.ReportInputProblem(new FrameProblem(-1, plan.InfraredProblem));

@@ -10,7 +10,7 @@ using LaserTracking.Tracking;
 namespace LaserTracking.Host.Sessions
 {
     /// <summary>What a session runs on, whoever asked for it: replay, demo, a test.</summary>
-    internal sealed class SessionPlan
+    internal sealed record SessionPlan
     {
         public required IFrameSource ScreenCamera { get; init; }
 
@@ -55,6 +55,9 @@ namespace LaserTracking.Host.Sessions
 
         /// <summary>Shutter and rolling shutter of the screen camera.</summary>
         public CameraTimingSettings CameraTiming { get; init; } = new();
+
+        /// <summary>Written into the header; null: this program's. A replayed session keeps its own.</summary>
+        public string? Version { get; init; }
 
         /// <summary>Wait so that frames come at their own times.</summary>
         public bool IsPaced { get; init; }

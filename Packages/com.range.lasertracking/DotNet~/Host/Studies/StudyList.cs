@@ -30,6 +30,7 @@ namespace LaserTracking.Host.Studies
             new Calibration.ScreenCalibrationStudy(),
             new Calibration.BoardStudy(),
             new RemoteFloodStudy(),
+            new SessionStudy(),
         };
     }
 }

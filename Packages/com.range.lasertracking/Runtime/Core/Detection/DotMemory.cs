@@ -12,8 +12,9 @@ namespace LaserTracking.Detection
         /// <summary>Samples along each side of the place as it was before the light.</summary>
         public const int PlaceSide = 10;
 
-        /// <summary>Levels in the frame before the light, on a grid over the first frame's box.</summary>
+        /// <summary>Levels in the frame before the light, on a grid over the first frame's box, in the plane of that frame: later ones may show it better in the other.</summary>
         public fixed byte Place[PlaceSide * PlaceSide];
+        public DetectionPlane PlacePlane;
         public int PlaceLeft;
         public int PlaceTop;
         public int PlaceWidth;
@@ -56,19 +57,21 @@ namespace LaserTracking.Detection
         /// <summary>Keeps what the frame before shows at the candidate.</summary>
         public void RememberPlace(in FrameView view, in Candidate c)
         {
+            PlacePlane = c.Plane;
             PlaceLeft = c.Left;
             PlaceTop = c.Top;
             PlaceWidth = c.Right - c.Left + 1;
             PlaceHeight = c.Bottom - c.Top + 1;
             FirstRise = c.PeakRise;
             for (int i = 0; i < PlaceSide * PlaceSide; i++)
-                Place[i] = (byte)FrameView.Level(view.Before[PlaceIndex(view, i)], Plane);
+                Place[i] = (byte)FrameView.Level(view.Before[PlaceIndex(view, i)], PlacePlane);
             CompareWithPlace(view, 0, out FirstLight, out double _);
         }
 
         /// <summary>The light goes on: its place was that of its first frame.</summary>
         public void TakePlaceOf(in RememberedDot earlier)
         {
+            PlacePlane = earlier.PlacePlane;
             PlaceLeft = earlier.PlaceLeft;
             PlaceTop = earlier.PlaceTop;
             PlaceWidth = earlier.PlaceWidth;
@@ -85,7 +88,7 @@ namespace LaserTracking.Detection
             double up = 0, down = 0, tolerance = 2 * noise + CompressionLevels;
             for (int i = 0; i < PlaceSide * PlaceSide; i++)
             {
-                int difference = FrameView.Level(view.Now[PlaceIndex(view, i)], Plane) - Place[i];
+                int difference = FrameView.Level(view.Now[PlaceIndex(view, i)], PlacePlane) - Place[i];
                 up += Math.Max(0, difference - tolerance);
                 down += Math.Max(0, -difference - tolerance);
             }

@@ -97,6 +97,18 @@ namespace LaserTracking.Imaging
             }
         }
 
+        /// <summary>One row of B G R, as OpenCV hands pictures out.</summary>
+        public static void BgrToBgra(byte* bgr, byte* bgra, int width)
+        {
+            for (int x = 0; x < width; x++, bgr += 3, bgra += 4)
+            {
+                bgra[0] = bgr[0];
+                bgra[1] = bgr[1];
+                bgra[2] = bgr[2];
+                bgra[3] = 255;
+            }
+        }
+
         public static void Gray8ToBgra(byte* gray, byte* bgra, int width)
         {
             uint* pixels = (uint*)bgra;

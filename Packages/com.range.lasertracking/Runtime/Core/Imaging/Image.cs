@@ -125,6 +125,20 @@ namespace LaserTracking.Imaging
             other.Bytes.CopyTo(Bytes);
         }
 
+        /// <summary>The same without the padding that rows may have.</summary>
+        public void CopyTightFrom(Image other)
+        {
+            if (!other.IsPresent)
+            {
+                Clear();
+                return;
+            }
+
+            Reset(other.Format, other.Width, other.Height, other.TimeUs);
+            for (int row = 0; row < SizeBytes / Stride; row++)
+                other.Bytes.Slice(row * other.Stride, Stride).CopyTo(Bytes.Slice(row * Stride));
+        }
+
         public void Dispose()
         {
             Free();

@@ -130,7 +130,9 @@ namespace LaserTracking.Pipeline
         {
             if (_handTracker == null || !(_calibration?.HandCamera is HandCamera camera))
                 return;
-            _lastHandsUs = frame.TimeUs;
+            // Frames without a picture come while the camera is away.
+            if (frame.Depth.IsPresent)
+                _lastHandsUs = frame.TimeUs;
             _hands.Begin(frame.Index, frame.TimeUs);
             _handTracker.Process(frame, _hands);
             _fusion?.AddHands(_hands);

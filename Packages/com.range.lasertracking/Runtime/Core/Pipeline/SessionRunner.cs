@@ -40,6 +40,9 @@ namespace LaserTracking.Pipeline
         /// <summary>Called before every frame of camera 0: the place for progress and pacing.</summary>
         public Action<Frame>? BeforeFrame { get; set; }
 
+        /// <summary>Called with every frame of camera 1 as it comes, with its own clock's times: the place for recording.</summary>
+        public Action<Frame>? HandFrameRead { get; set; }
+
         /// <summary>Called after every frame of camera 0: the place for statistics.</summary>
         public Action<Frame>? AfterFrame { get; set; }
 
@@ -112,6 +115,7 @@ namespace LaserTracking.Pipeline
             // A live camera 1 that falls silent must not hold up camera 0.
             if (_handCamera == null || !(_liveHands == null ? _handCamera.TryRead(frame) : _liveHands.TryReadNow(frame)))
                 return false;
+            HandFrameRead?.Invoke(frame);
             frame.TimeUs += _handClockOffsetUs;
             frame.Depth.TimeUs += _handClockOffsetUs;
             return true;

@@ -75,7 +75,7 @@ namespace LaserTracking.Scoring
 
         public void Clear() => Count = 0;
 
-        private static Pose Between(Pose a, Pose b, double part)
+        internal static Pose Between(Pose a, Pose b, double part)
         {
             Rotation3D p = a.Rotation, q = b.Rotation;
             // q and -q are the same rotation: take the nearer one, or the mean goes the long way round.

@@ -8,7 +8,7 @@ namespace LaserTracking.Scoring
     public sealed class SceneObject
     {
         private readonly SceneCollider[] _colliders;
-        private readonly Rotation3D _parentRotation;
+        private readonly PoseTrack? _recorded;
 
         /// <param name="name">Unique among the scene's targets.</param>
         /// <param name="layer">0…31, as in Unity.</param>
@@ -27,10 +27,16 @@ namespace LaserTracking.Scoring
             Layer = layer;
             RestPose = restPose;
             Scale = scale;
-            _parentRotation = parentRotation;
+            ParentRotation = parentRotation;
             Motion = motion;
             _colliders = (SceneCollider[])colliders.Clone();
             Target = target;
+        }
+
+        private SceneObject(SceneObject other, PoseTrack recorded)
+            : this(other.Name, other.Layer, other.RestPose, other.Scale, other.ParentRotation, other.Motion, other._colliders, other.Target)
+        {
+            _recorded = recorded;
         }
 
         public string Name { get; }
@@ -43,12 +49,18 @@ namespace LaserTracking.Scoring
 
         public MotionPath Motion { get; }
 
+        /// <summary>Turns the motion's displacement into the world's axes.</summary>
+        public Rotation3D ParentRotation { get; }
+
         public IReadOnlyList<SceneCollider> Colliders => _colliders;
 
         public TargetDefinition? Target { get; }
 
         /// <summary>World pose at a time in seconds on the scene's clock. No allocation.</summary>
         public Pose PoseAt(double timeS) =>
-            new Pose(RestPose.Position + _parentRotation * Motion.OffsetAt(timeS), RestPose.Rotation);
+            _recorded?.PoseAt(timeS) ?? new Pose(RestPose.Position + ParentRotation * Motion.OffsetAt(timeS), RestPose.Rotation);
+
+        /// <summary>The same object where it was recorded to be, whatever moved it.</summary>
+        public SceneObject MovedBy(PoseTrack recorded) => new SceneObject(this, recorded);
     }
 }

@@ -123,12 +123,19 @@ namespace LaserTracking.Pipeline
             RangePipeline pipeline = Create(range, recorder);
             pipeline.Begin(Header());
             using var frame = new Frame();
+            using var hands = new Frame();
             for (int i = 0; i < 120; i++)
             {
-                // Empty pictures: the times alone count here.
+                // The times alone count here; while it is away a live camera gives frames without a picture.
                 frame.Begin(i, i * 33_333L);
+                hands.Begin(i, frame.TimeUs);
                 if (i < 20 || i > 60)
-                    pipeline.ProcessHands(frame);
+                {
+                    hands.Depth.Reset(PixelFormat.Depth16, 4, 4, frame.TimeUs);
+                    hands.Depth.Bytes.Clear();
+                }
+
+                pipeline.ProcessHands(hands);
                 pipeline.Process(frame);
             }
 

@@ -3,6 +3,7 @@ using System.Buffers.Binary;
 using System.Collections.Generic;
 using System.Globalization;
 using LaserTracking.Capture.Matroska;
+using LaserTracking.Imaging;
 
 namespace LaserTracking.Capture.AzureKinect
 {
@@ -12,6 +13,9 @@ namespace LaserTracking.Capture.AzureKinect
     /// </summary>
     internal sealed class KinectConfigurationReader
     {
+        /// <summary>Our own: "x y width height fullWidth fullHeight" of colour pictures of which only a part was recorded.</summary>
+        internal const string RegionTag = "RANGE_COLOR_REGION";
+
         private const long MaxDelayNs = 10000000000;
 
         private readonly MatroskaFile _file;
@@ -122,31 +126,15 @@ namespace LaserTracking.Capture.AzureKinect
 
             bool is16Bit = track != Color;
             KinectImageFormat format16 = track == Infrared ? KinectImageFormat.Ir16 : KinectImageFormat.Depth16;
-            switch (BinaryPrimitives.ReadUInt32BigEndian(header.AsSpan(16)))
-            {
-                case 0x4D4A5047 when !is16Bit: // MJPG
-                    track.Format = KinectImageFormat.Mjpg;
-                    break;
-                case 0x4E563132 when !is16Bit: // NV12
-                    track.Format = KinectImageFormat.Nv12;
-                    break;
-                case 0x59555932 when !is16Bit: // YUY2
-                    track.Format = KinectImageFormat.Yuy2;
-                    break;
-                case 0x42475241 when !is16Bit: // BGRA
-                    track.Format = KinectImageFormat.Bgra32;
-                    break;
-                case 0x62313667 when is16Bit: // b16g
-                    track.Format = format16;
-                    track.IsBigEndian = true;
-                    break;
-                case 0x59555932 when is16Bit: // early recorders wrote little-endian samples under this name
-                    track.Format = format16;
-                    break;
-                default:
-                    _problems.Add(-1, "track " + track.Name + " has an unknown picture format; its pictures cannot be used");
-                    break;
-            }
+            uint fourCc = BinaryPrimitives.ReadUInt32BigEndian(header.AsSpan(16));
+            if (!is16Bit)
+                track.Format = KinectImageFormats.FromFourCc(fourCc);
+            // Early recorders wrote little-endian samples under the name of YUY2.
+            else if (fourCc == KinectImageFormats.BigEndian16 || fourCc == KinectImageFormats.FourCcOf(KinectImageFormat.Yuy2))
+                track.Format = format16;
+            track.IsBigEndian = fourCc == KinectImageFormats.BigEndian16;
+            if (track.Format == KinectImageFormat.Unknown)
+                _problems.Add(-1, "track " + track.Name + " has an unknown picture format; its pictures cannot be used");
 
             if (track.Width <= 0 || track.Height <= 0 || track.Width > 1 << 14 || track.Height > 1 << 14)
             {
@@ -167,10 +155,9 @@ namespace LaserTracking.Capture.AzureKinect
                 configuration.ColorFormat = Color.Format;
                 configuration.ColorWidth = Color.Width;
                 configuration.ColorHeight = Color.Height;
-                string actual = Color.Format.ToString().ToUpperInvariant() + "_" + Color.Height + "P";
+                string actual = KinectImageFormats.ModeNameOf(Color.Format, Color.Height);
                 string? declared = Tag("K4A_COLOR_MODE");
-                if (Color.Format == KinectImageFormat.Bgra32)
-                    actual = actual.Replace("BGRA32", "BGRA");
+                ReadRegion(Color);
                 if (declared != null && declared != actual)
                     _problems.Add(-1, "tag K4A_COLOR_MODE says " + Printable(declared) + ", the track is " + actual + "; the track counts");
             }
@@ -186,6 +173,17 @@ namespace LaserTracking.Capture.AzureKinect
             KinectDepthMode bySize = KinectDepthModes.FromSize(depth.Width, depth.Height, Depth != null);
             _problems.Add(-1, Invariant($"tag K4A_DEPTH_MODE says {Printable(tag ?? "nothing")}, the pictures are {depth.Width}×{depth.Height}; taken as {KinectDepthModes.NameOf(bySize)}"));
             configuration.DepthMode = bySize;
+        }
+
+        private void ReadRegion(KinectTrack color)
+        {
+            string? text = Tag(RegionTag);
+            if (text == null)
+                return;
+            if (PixelRegion.TryParse(text, out PixelRegion region) && region.Width == color.Width && region.Height == color.Height)
+                Configuration.ColorRegion = region;
+            else
+                _problems.Add(-1, "tag " + RegionTag + " says " + Printable(text) + ", which is no region of the colour pictures; they are taken as whole");
         }
 
         private void ReadFrameRate()

@@ -15,5 +15,8 @@ namespace LaserTracking.Capture.AzureKinect
 
         /// <summary>Infrared brightness, 16 bit, handed out little-endian.</summary>
         Ir16,
+
+        /// <summary>One byte of brightness; not a format of the Kinect, written by this package for grey webcams.</summary>
+        Gray8,
     }
 }

@@ -1,3 +1,5 @@
+using LaserTracking.Imaging;
+
 namespace LaserTracking.Capture.AzureKinect
 {
     /// <summary>How the camera was set up for a recording.</summary>
@@ -36,6 +38,9 @@ namespace LaserTracking.Capture.AzureKinect
 
         /// <summary>Device time of the recording's first block in microseconds; 64 bits, since some cameras count from 1970.</summary>
         public long StartOffsetUs { get; internal set; }
+
+        /// <summary>Where the stored colour pictures lie in the camera's, when only a part was recorded; null: they are whole.</summary>
+        public PixelRegion? ColorRegion { get; internal set; }
 
         /// <summary>"720P", "1080P", … by height; "OFF" without colour.</summary>
         public string ColorResolutionName => HasColor ? ColorHeight + "P" : "OFF";

@@ -52,6 +52,8 @@ namespace LaserTracking.Capture.AzureKinect
             _assembler.Seek(0);
         }
 
+        internal MatroskaFile File => _file;
+
         public string Name { get; }
 
         /// <summary>What was found damaged so far, at most <see cref="ProblemLog.Capacity"/> entries; grows while the recording is read.</summary>

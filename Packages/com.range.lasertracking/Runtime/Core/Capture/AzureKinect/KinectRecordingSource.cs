@@ -6,7 +6,7 @@ namespace LaserTracking.Capture.AzureKinect
 {
     /// <summary>
     /// Frames of a recording. Colour comes as it was recorded (NV12, YUY2, BGRA) or as <see cref="JpegDecoder"/> gives it; depth and infrared
-    /// little-endian. A picture whose payload has the wrong size or cannot be decoded is absent and a problem; its frame stays.
+    /// little-endian; of a recorded part of the camera's picture the rest is black. A picture whose payload has the wrong size or cannot be decoded is absent and a problem; its frame stays.
     /// </summary>
     public sealed class KinectRecordingSource : IFrameSource
     {
@@ -16,6 +16,7 @@ namespace LaserTracking.Capture.AzureKinect
         private readonly KinectStreams _streams;
         private JpegDecoder? _jpegDecoder;
         private readonly KinectCapture _capture = new KinectCapture();
+        private readonly Image _part = new Image();
         private byte[] _jpeg = Array.Empty<byte>();
 
         /// <param name="recording">Read from where it stands; disposed with this source.</param>
@@ -27,7 +28,8 @@ namespace LaserTracking.Capture.AzureKinect
             KinectTrack? track = ((streams & KinectStreams.Color) != 0 ? recording.ColorTrack : null)
                 ?? ((streams & KinectStreams.Depth) != 0 ? recording.DepthTrack : null)
                 ?? ((streams & KinectStreams.Infrared) != 0 ? recording.InfraredTrack : null);
-            Info = new FrameSourceInfo(recording.Name, track?.Width ?? 0, track?.Height ?? 0, recording.Configuration.FramesPerSecond, recording.LengthUs);
+            PixelRegion? region = track == recording.ColorTrack ? recording.Configuration.ColorRegion : null;
+            Info = new FrameSourceInfo(recording.Name, region?.FullWidth ?? track?.Width ?? 0, region?.FullHeight ?? track?.Height ?? 0, recording.Configuration.FramesPerSecond, recording.LengthUs);
         }
 
         public FrameSourceInfo Info { get; }
@@ -73,7 +75,11 @@ namespace LaserTracking.Capture.AzureKinect
             return true;
         }
 
-        public void Dispose() => _recording.Dispose();
+        public void Dispose()
+        {
+            _recording.Dispose();
+            _part.Dispose();
+        }
 
         private long FirstWantedTime()
         {
@@ -91,14 +97,20 @@ namespace LaserTracking.Capture.AzureKinect
             if (!source.IsPresent)
                 return;
             KinectTrack track = source.Track!;
+            PixelRegion? region = track == _recording.ColorTrack ? _recording.Configuration.ColorRegion : null;
+            Image read = region == null ? target : _part;
             string? problem = track.Format switch
             {
                 KinectImageFormat.Unknown => "",
-                KinectImageFormat.Mjpg => ReadJpeg(source, target),
-                _ => ReadRaw(source, target),
+                KinectImageFormat.Mjpg => ReadJpeg(source, read),
+                _ => ReadRaw(source, read),
             };
             if (problem == null)
+            {
+                region?.Restore(_part, target);
                 return;
+            }
+
             target.Clear();
             if (problem.Length > 0 && _recording.AcceptsProblem(source.Offset))
                 _recording.Report(source.Offset, track.Name + " picture is missing: " + problem, _capture.Index);
@@ -107,7 +119,7 @@ namespace LaserTracking.Capture.AzureKinect
         private string? ReadRaw(in KinectImage source, Image target)
         {
             KinectTrack track = source.Track!;
-            PixelFormat format = PixelFormatOf(track.Format);
+            PixelFormat format = KinectImageFormats.PixelFormatOf(track.Format);
             long size = Image.TightSize(format, track.Width, track.Height);
             if (size == 0 || size != source.SizeBytes)
             {
@@ -139,19 +151,6 @@ namespace LaserTracking.Capture.AzureKinect
             return _recording.AcceptsProblem(source.Offset)
                 ? "its JPEG has " + target.Width + "×" + target.Height + " pixels, the track " + track.Width + "×" + track.Height
                 : "";
-        }
-
-        private static PixelFormat PixelFormatOf(KinectImageFormat format)
-        {
-            switch (format)
-            {
-                case KinectImageFormat.Nv12: return PixelFormat.Nv12;
-                case KinectImageFormat.Yuy2: return PixelFormat.Yuy2;
-                case KinectImageFormat.Bgra32: return PixelFormat.Bgra32;
-                case KinectImageFormat.Depth16: return PixelFormat.Depth16;
-                case KinectImageFormat.Ir16: return PixelFormat.Infrared16;
-                default: return PixelFormat.None;
-            }
         }
     }
 }

@@ -47,6 +47,7 @@ namespace LaserTracking.Capture.AzureKinect
             {
                 switch (Format)
                 {
+                    case KinectImageFormat.Gray8:
                     case KinectImageFormat.Nv12: return Width;
                     case KinectImageFormat.Yuy2:
                     case KinectImageFormat.Depth16:

@@ -67,6 +67,7 @@ namespace LaserTracking.Capture.Matroska
             block.ElementOffset = element.Offset;
             block.ElementEnd = element.End;
             block.ClusterOffset = cluster.Offset;
+            block.Track = track;
             block.TimeNs = cluster.TimeNs + BinaryPrimitives.ReadInt16BigEndian(head.Slice(length)) * _timecodeScale;
             block.Lacing = (BlockLacingKind)((head[length + 2] >> 1) & 3);
             block.PayloadOffset = body.DataOffset + length + 3;

@@ -54,5 +54,25 @@ namespace LaserTracking.Capture.Matroska
             value -= (1L << (7 * length - 1)) - 1;
             return true;
         }
+
+        /// <summary>Fewest bytes that hold a size, 1 to 8.</summary>
+        public static int SizeLengthOf(long size)
+        {
+            int length = 1;
+            // All bits set means "unknown" at every length.
+            while (length < 8 && size >= (1L << (7 * length)) - 1)
+                length++;
+            return length;
+        }
+
+        /// <summary>Writes a size, or <see cref="UnknownSize"/>, over the whole destination of 1 to 8 bytes.</summary>
+        public static void WriteSize(Span<byte> destination, long size)
+        {
+            int length = destination.Length;
+            long value = size == UnknownSize ? (1L << (7 * length)) - 1 : size;
+            for (int i = length - 1; i >= 0; i--, value >>= 8)
+                destination[i] = (byte)value;
+            destination[0] |= (byte)(0x80 >> (length - 1));
+        }
     }
 }

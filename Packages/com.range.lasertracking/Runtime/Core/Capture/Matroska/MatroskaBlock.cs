@@ -11,6 +11,9 @@ namespace LaserTracking.Capture.Matroska
 
         public long ClusterOffset;
 
+        /// <summary>Number of the track that it belongs to.</summary>
+        public long Track;
+
         /// <summary>Nanoseconds from the start of the recording.</summary>
         public long TimeNs;
 

@@ -22,6 +22,7 @@ namespace LaserTracking.Capture.Matroska
         private long _segmentData;
         private long _segmentEnd;
         private long _seekHeadOffset = -1;
+        private bool _isOpenEnded;
         private bool _isCut;
 
         /// <param name="stream">Seekable; stays the caller's to dispose.</param>
@@ -38,6 +39,12 @@ namespace LaserTracking.Capture.Matroska
             FindSegment(position);
             long firstCluster = ReadUntilFirstCluster();
             bool hasCues = ReadSeekTargets();
+            if (_isOpenEnded && !hasCues)
+            {
+                _isCut = true;
+                _problems.Add(_segmentData, "the recorder was stopped before it could finish this file (open-ended segment without cues); read to the end of the file");
+            }
+
             if (firstCluster < 0)
             {
                 throw new InputException(_name, _isCut
@@ -115,6 +122,7 @@ namespace LaserTracking.Capture.Matroska
                 throw new InputException(_name, "holds no Matroska segment (none at byte " + position + ")", Remedy);
             _segmentData = segment.DataOffset;
             _segmentEnd = _reader.Length;
+            _isOpenEnded = !segment.SizeIsKnown;
             if (segment.Size == 0)
             {
                 _isCut = true;

@@ -4,10 +4,12 @@ namespace LaserTracking.Capture.Matroska
     internal static class MatroskaIds
     {
         public const uint EbmlHead = 0x1A45DFA3;
+        public const uint EbmlVersion = 0x4286;
         public const uint EbmlReadVersion = 0x42F7;
         public const uint EbmlMaxIdLength = 0x42F2;
         public const uint EbmlMaxSizeLength = 0x42F3;
         public const uint DocType = 0x4282;
+        public const uint DocTypeVersion = 0x4287;
         public const uint DocTypeReadVersion = 0x4285;
         public const uint Void = 0xEC;
         public const uint Crc32 = 0xBF;
@@ -19,6 +21,9 @@ namespace LaserTracking.Capture.Matroska
         public const uint SeekPosition = 0x53AC;
         public const uint Info = 0x1549A966;
         public const uint TimecodeScale = 0x2AD7B1;
+        public const uint Duration = 0x4489;
+        public const uint MuxingApp = 0x4D80;
+        public const uint WritingApp = 0x5741;
 
         public const uint Tracks = 0x1654AE6B;
         public const uint TrackEntry = 0xAE;
@@ -63,6 +68,7 @@ namespace LaserTracking.Capture.Matroska
         public const uint CuePoint = 0xBB;
         public const uint CueTime = 0xB3;
         public const uint CueTrackPositions = 0xB7;
+        public const uint CueTrack = 0xF7;
         public const uint CueClusterPosition = 0xF1;
         public const uint Chapters = 0x1043A770;
 

@@ -1,0 +1,9 @@
+// Test code, never shipped: part of a stand-in for the Azure Kinect wrapper, see Tests/KinectStandIn/README.md.
+namespace Microsoft.Azure.Kinect.Sensor
+{
+    public enum ColorResolution
+    {
+        Off = 0,
+        R720p = 1,
+    }
+}

@@ -1,0 +1,8 @@
+// Test code, never shipped: part of a stand-in for the Azure Kinect wrapper, see Tests/KinectStandIn/README.md.
+namespace Microsoft.Azure.Kinect.Sensor
+{
+    public enum FPS
+    {
+        FPS30 = 2,
+    }
+}

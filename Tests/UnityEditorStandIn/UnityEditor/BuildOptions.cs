@@ -1,0 +1,11 @@
+// Test code, never shipped: part of a stand-in for Unity's editor, see Tests/UnityEditorStandIn/README.md.
+using System;
+
+namespace UnityEditor
+{
+    [Flags]
+    public enum BuildOptions
+    {
+        None = 0,
+    }
+}

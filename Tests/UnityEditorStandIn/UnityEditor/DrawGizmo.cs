@@ -1,0 +1,12 @@
+// Test code, never shipped: part of a stand-in for Unity's editor, see Tests/UnityEditorStandIn/README.md.
+using System;
+
+namespace UnityEditor
+{
+    public sealed class DrawGizmo : Attribute
+    {
+        public DrawGizmo(GizmoType gizmo)
+        {
+        }
+    }
+}

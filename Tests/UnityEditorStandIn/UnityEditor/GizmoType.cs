@@ -1,0 +1,12 @@
+// Test code, never shipped: part of a stand-in for Unity's editor, see Tests/UnityEditorStandIn/README.md.
+using System;
+
+namespace UnityEditor
+{
+    [Flags]
+    public enum GizmoType
+    {
+        Selected = 4,
+        Active = 8,
+    }
+}

@@ -1,0 +1,9 @@
+// Test code, never shipped: part of an executable stand-in for Unity's engine, see Tests/UnityStandIn/README.md.
+namespace UnityEngine
+{
+    public enum EventType
+    {
+        Repaint = 7,
+        Layout = 8,
+    }
+}

@@ -1,0 +1,208 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using LaserTracking.Capture;
+using LaserTracking.Capture.AzureKinect;
+using LaserTracking.Detection;
+using LaserTracking.Geometry;
+using LaserTracking.Pipeline;
+using LaserTracking.Scoring;
+using LaserTracking.Session;
+using NUnit.Framework;
+using UnityEngine;
+using UnityStandIn;
+
+namespace LaserTracking.Unity
+{
+    public sealed class RangeRecorderTests : StandInTests
+    {
+        private string _folder = "";
+
+        [SetUp]
+        public void MakeFolder() => _folder = Directory.CreateDirectory(Path.Combine(Path.GetTempPath(), "range-unity-recorder-" + Guid.NewGuid().ToString("N"))).FullName;
+
+        [TearDown]
+        public void RemoveFolder() => Directory.Delete(_folder, true);
+
+        private RangeRecorder Add(RangeRig rig)
+        {
+            rig.Range.gameObject.SetActive(false);
+            RangeRecorder recorder = rig.Range.gameObject.AddComponent<RangeRecorder>();
+            SerializedFields.Set(recorder, "_folder", _folder);
+            return recorder;
+        }
+
+        private static List<Frame> Read(string session)
+        {
+            using var source = new KinectRecordingSource(KinectRecording.Open(Path.Combine(session, SessionLog.ScreenFramesName)));
+            var frames = new List<Frame>();
+            for (var frame = new Frame(); source.TryRead(frame); frame = new Frame())
+                frames.Add(frame);
+            Assert.That(source.Problems, Is.Empty);
+            return frames;
+        }
+
+        /// <summary>The shots of a session, run again from its files alone.</summary>
+        private static IReadOnlyList<ShotEvent> Replay(string session)
+        {
+            SessionLog log = SessionLogFile.Read(session);
+            RangeCalibration? calibration = log.HasCalibration ? RangeCalibrationFile.Read(Path.Combine(session, SessionLog.CalibrationFileName)) : null;
+            SceneModel? scene = log.HasScene ? ScenePoseLog.Read(Path.Combine(session, SessionLog.SceneFileName)) : null;
+            var found = new SessionRecorder();
+            RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(), calibration, false, scene == null ? null : new ShotScorer(scene), found, new PipelineSettings { SceneTimeZeroUs = log.SceneTimeZeroUs });
+            pipeline.Begin(log.Header);
+            using var source = new KinectRecordingSource(KinectRecording.Open(Path.Combine(session, SessionLog.ScreenFramesName)));
+            using var runner = new SessionRunner(pipeline, source, null, 0);
+            runner.Run(default);
+            pipeline.End(0);
+            return found.Shots;
+        }
+
+        [Test]
+        public void RangeRecorder_Session_HoldsEveryFrameToTheBit()
+        {
+            var rig = new RangeRig(new StubSource(40, 7_000_000));
+            RangeRecorder recorder = Add(rig);
+            rig.Play(1.6);
+            Assert.That(recorder.IsRecording, Is.False, "the source has ended, so has the session");
+            List<Frame> frames = Read(recorder.SessionFolder);
+            var again = new StubSource(40, 7_000_000);
+            using var expected = new Frame();
+            foreach (Frame frame in frames)
+            {
+                Assert.That(again.TryRead(expected), Is.True);
+                Assert.That((frame.Index, frame.TimeUs), Is.EqualTo((expected.Index, expected.TimeUs)));
+                Assert.That(frame.Color.Bytes.SequenceEqual(expected.Color.Bytes), Is.True);
+            }
+
+            Assert.That(frames, Has.Count.EqualTo(40));
+            SessionLog log = SessionLogFile.Read(recorder.SessionFolder);
+            Assert.That((log.IsComplete, log.Lost, log.Frames, log.HasCalibration), Is.EqualTo((true, 0L, 40L, true)));
+            Assert.That(log.Doubts(log.Build), Is.Empty);
+        }
+
+        [Test]
+        public void RangeRecorder_Replay_FindsTheSameShotsAndHits()
+        {
+            var rig = new RangeRig(new StubSource(60, 0, (10, 320, 240), (30, 100, 100)));
+            LaserTarget plate = RangeRig.AddPlate("plate", new Vector3(0, 0, 4), 0.5f);
+            plate.gameObject.SetActive(true);
+            RangeRecorder recorder = Add(rig);
+            rig.Play(2.2);
+            IReadOnlyList<ShotEvent> replayed = Replay(recorder.SessionFolder);
+            Assert.That(rig.Shots, Has.Count.EqualTo(2));
+            Assert.That(replayed.Select(s => (s.Shot.Id, s.Shot.TimeUs, s.Shot.Dot.PositionPx.X, s.ScreenM.X, s.HasHit)), Is.EqualTo(rig.Shots.Select(s => (s.Shot.Id, s.Shot.TimeUs, s.Shot.Dot.PositionPx.X, s.ScreenM.X, s.HasHit))));
+            Assert.That((replayed[0].Hit.Target, replayed[0].Hit.Zone), Is.EqualTo((rig.Shots[0].Hit.Target, rig.Shots[0].Hit.Zone)).And.EqualTo(("plate", "plate")));
+        }
+
+        [Test]
+        public void RangeRecorder_TargetThatAScriptMoves_IsHitInTheReplayWhereItWas()
+        {
+            // It stands behind the middle only around the first flash.
+            var rig = new RangeRig(new StubSource(60, 0, (10, 320, 240), (40, 320, 240)));
+            LaserTarget plate = RangeRig.AddPlate("plate", new Vector3(0, 0, 4), 0.5f);
+            plate.gameObject.AddComponent<TargetMotion>();
+            plate.gameObject.AddComponent<Mover>();
+            plate.gameObject.SetActive(true);
+            RangeRecorder recorder = Add(rig);
+            rig.Play(2.2);
+            Assert.That(rig.Shots.Select(s => s.HasHit), Is.EqualTo(new[] { true, false }));
+            Assert.That(Replay(recorder.SessionFolder).Select(s => s.HasHit), Is.EqualTo(new[] { true, false }));
+            Assert.That(File.ReadLines(Path.Combine(recorder.SessionFolder, SessionLog.SceneFileName)).Count(), Is.GreaterThan(20));
+        }
+
+        [Test]
+        public void RangeRecorder_StartedAndStopped_WritesOneSessionFromItsFirstFrame()
+        {
+            var rig = new RangeRig(new StubSource(500, 0));
+            rig.SourceAsset.Create = () => new StubSource(500, 0);
+            RangeRecorder recorder = Add(rig);
+            SerializedFields.Set(recorder, "_recordsAlways", false);
+            rig.Play(0.3);
+            Assert.That((recorder.IsRecording, Directory.GetDirectories(_folder).Length), Is.EqualTo((false, 0)));
+            recorder.StartRecording();
+            for (int i = 0; i < 30; i++)
+                rig.Step(1 / 60.0);
+            Assert.That(recorder.IsRecording, Is.True);
+            recorder.StopRecording();
+            Assert.That((recorder.IsRecording, rig.Range.IsRunning), Is.EqualTo((false, true)));
+            List<Frame> frames = Read(recorder.SessionFolder);
+            Assert.That(frames.Select(f => f.Index), Is.EqualTo(Enumerable.Range(0, frames.Count)));
+            Assert.That(frames, Has.Count.InRange(10, 18));
+            rig.Step(0.1);
+            Assert.That(Directory.GetDirectories(_folder), Has.Length.EqualTo(1));
+        }
+
+        [Test]
+        public void RangeRecorder_SwitchedOff_CompletesTheSession([Values] bool byRange)
+        {
+            var rig = new RangeRig(new StubSource(500, 0));
+            RangeRecorder recorder = Add(rig);
+            rig.Play(0.4);
+            if (byRange)
+                rig.Range.gameObject.SetActive(false);
+            else
+                recorder.enabled = false;
+            Assert.That(recorder.IsRecording, Is.False);
+            Assert.That(Read(recorder.SessionFolder), Is.Not.Empty);
+            Assert.That(SessionLogFile.Read(recorder.SessionFolder).IsComplete, Is.True);
+            Assert.That(ConsoleLog.Entries, Is.Empty);
+        }
+
+        [Test]
+        public void RangeRecorder_ScreenOnly_KeepsThatPartAndSaysThatItIsReduced()
+        {
+            var rig = new RangeRig(new StubSource(10, 0));
+            string half = RangeRig.Calibration.Replace("[[0.005828125,0,0],[0,0.004708333333,0],[0,0,1]]", "[[0.01165625,0,-1],[0,0.009416666667,-0.8],[0,0,1]]");
+            SerializedFields.Set(rig.Screen, "_calibration", new TextAsset(half));
+            RangeRecorder recorder = Add(rig);
+            SerializedFields.Set(recorder, "_screenOnly", true);
+            rig.Play(0.5);
+            using KinectRecording recording = KinectRecording.Open(Path.Combine(recorder.SessionFolder, SessionLog.ScreenFramesName));
+            Assert.That(recording.Configuration.ColorRegion, Is.Not.Null);
+            Assert.That(recording.Configuration.ColorRegion!.Value.Width, Is.InRange(380, 400));
+            Assert.That(SessionLogFile.Read(recorder.SessionFolder).IsReduced, Is.True);
+        }
+
+        [Test]
+        public void RangeRecorder_PathThatCannotBeWritten_SaysSoAndTheRangeGoesOn()
+        {
+            File.WriteAllText(Path.Combine(_folder, "file"), "");
+            var rig = new RangeRig(new StubSource(40, 0, (10, 320, 240)));
+            RangeRecorder recorder = Add(rig);
+            SerializedFields.Set(recorder, "_folder", Path.Combine(_folder, "file"));
+            var health = new List<HealthEvent>();
+            rig.Range.HealthChanged += health.Add;
+            rig.Play(1);
+            Assert.That(recorder.IsRecording, Is.False);
+            Assert.That(rig.Shots, Has.Count.EqualTo(1));
+            Assert.That(ConsoleLog.Entries.Count(e => e.Message.Contains("nothing is recorded")), Is.EqualTo(1));
+            Assert.That(health.Count(h => h.Text.Contains("nothing is recorded") && !h.Text.Contains('\n')), Is.EqualTo(1));
+            ConsoleLog.Clear();
+        }
+
+        [Test]
+        public void RangeRecorder_EveryRun_GetsAFolderOfItsOwn()
+        {
+            for (int i = 1; i <= 3; i++)
+            {
+                var rig = new RangeRig(new StubSource(5, 0));
+                RangeRecorder recorder = Add(rig);
+                rig.Play(0.4);
+                Assert.That(Path.GetFileName(recorder.SessionFolder), Is.EqualTo("session-000" + i));
+                rig.Range.gameObject.SetActive(false);
+            }
+        }
+
+        /// <summary>Puts its object far away after half a second.</summary>
+        private sealed class Mover : MonoBehaviour
+        {
+            private void Update()
+            {
+                float x = Time.timeAsDouble < 0.6 ? 0 : 3 + (float)Time.timeAsDouble;
+                transform.position = new Vector3(x, 0, 4);
+            }
+        }
+    }
+}
