@@ -50,6 +50,7 @@ namespace UnityStandIn
         {
             World.Clear();
             ConsoleLog.Clear();
+            JobWorkers.Reset();
             Desk.Reset();
             WebCams.Reset();
             Time.frameCount = 0;

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Reflection;
+using System.Runtime.CompilerServices;
 
 namespace LaserTracking.Unity
 {
@@ -144,12 +145,15 @@ namespace LaserTracking.Unity
             return string.Concat(method.GetGenericArguments().Select(argument =>
             {
                 bool isStruct = (argument.GenericParameterAttributes & GenericParameterAttributes.NotNullableValueTypeConstraint) != 0;
-                string[] parts = isStruct ? new[] { "struct" } : argument.GetGenericParameterConstraints().Select(NameOf).ToArray();
+                string[] parts = argument.GetGenericParameterConstraints().Where(type => type != typeof(ValueType)).Select(NameOf).ToArray();
+                if (isStruct)
+                    parts = parts.Prepend("struct").ToArray();
                 return parts.Length == 0 ? "" : " where " + argument.Name + " : " + string.Join(", ", parts);
             }));
         }
 
-        private static string Parameters(MethodBase method) => string.Join(", ", method.GetParameters().Select(ParameterText));
+        private static string Parameters(MethodBase method) =>
+            (method.IsDefined(typeof(ExtensionAttribute), false) ? "this " : "") + string.Join(", ", method.GetParameters().Select(ParameterText));
 
         private static string ParameterText(ParameterInfo parameter)
         {

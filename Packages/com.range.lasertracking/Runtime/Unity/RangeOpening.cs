@@ -3,6 +3,7 @@ using LaserTracking.Capture;
 using LaserTracking.Detection;
 using LaserTracking.Geometry;
 using LaserTracking.Hands.Model;
+using LaserTracking.Kernels;
 using LaserTracking.Pipeline;
 using LaserTracking.Session;
 
@@ -46,10 +47,11 @@ namespace LaserTracking.Unity
                     handSource = OpenHandSource();
                 FrameSourceAsset? handAsset = _range.HandSource;
                 long handClockOffsetUs = handSource == null ? 0 : handAsset == null ? _asset.HandClockOffsetUs : handAsset.ClockOffsetUs;
-                handModel = handSource == null ? null : OpenHandModel();
+                KernelRunner kernels = RangeKernels.Create();
+                handModel = handSource == null ? null : OpenHandModel(kernels);
                 var settings = new PipelineSettings { SceneTimeZeroUs = _asset.SceneTimeZeroUs };
                 // No scorer: rays are cast by Unity's physics, which only its own thread may ask.
-                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(), calibration, handSource != null, null, events, settings, handModel);
+                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(null, null, kernels), calibration, handSource != null, null, events, settings, handModel, kernels);
                 pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
                 SessionLogWriter? recording = _range.Recorder?.Begin(_asset, source, handSource, handClockOffsetUs, calibration);
                 return new FramePump(pipeline, source, handSource, handClockOffsetUs, _asset, handModel, events, recording, look);
@@ -87,14 +89,14 @@ namespace LaserTracking.Unity
         }
 
         /// <summary>Without its file hands are found by depth alone.</summary>
-        private HandLandmarkNetwork? OpenHandModel()
+        private HandLandmarkNetwork? OpenHandModel(KernelRunner kernels)
         {
             string file = _range.HandModelFile;
             if (file.Length == 0)
                 return null;
             try
             {
-                return HandLandmarkNetwork.Open(file, HandModelFile.ByName(file));
+                return HandLandmarkNetwork.Open(file, HandModelFile.ByName(file), kernels);
             }
             catch (InputException problem)
             {

@@ -27,6 +27,7 @@ namespace LaserTracking.Host.Commands
             new("Core, net10.0, no AVX2", "Range.LaserTracking.Core.Tests", "DOTNET_EnableAVX2"),
             new("Core, netstandard2.1", "Range.LaserTracking.Core.Tests.NetStandard", null),
             new("Unity layer on the engine stand-in", "UnityTests", null),
+            new("Burst jobs on the engine stand-in", "BurstTests", null),
             new("files, commands, repository", "RangeTests", null),
         };
 

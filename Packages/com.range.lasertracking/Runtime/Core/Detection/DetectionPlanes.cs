@@ -1,5 +1,6 @@
 using System;
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
@@ -10,6 +11,7 @@ namespace LaserTracking.Detection
     internal sealed unsafe class DetectionPlanes
     {
         private const int ClippedFrom = 250;
+        private readonly KernelRunner _kernels;
         private readonly uint[][] _pictures = { Array.Empty<uint>(), Array.Empty<uint>() };
         private readonly byte[][] _smallest = { Array.Empty<byte>(), Array.Empty<byte>() };
         private readonly byte[][] _largest = { Array.Empty<byte>(), Array.Empty<byte>() };
@@ -19,11 +21,12 @@ namespace LaserTracking.Detection
         private int _sourceHeight;
         private PixelFormat _format;
         private int _turn;
-        private int _shiftX;
-        private int _shiftY;
+        private int _bandCount;
         private byte[] _dilatedSmallest = Array.Empty<byte>();
         private byte[] _dilatedLargest = Array.Empty<byte>();
         private bool _isDilated;
+
+        public DetectionPlanes(KernelRunner kernels) => _kernels = kernels;
 
         public int Width { get; private set; }
 
@@ -77,8 +80,9 @@ namespace LaserTracking.Detection
 
             _dilatedSmallest = new byte[Width * Height];
             _dilatedLargest = new byte[Width * Height];
-            _columns = new byte[4 * Width];
-            _rows = new uint[5 * Width];
+            _bandCount = Math.Min(_kernels.BandCount, TileGrid.Count(Height));
+            _columns = new byte[PlaneBands.ColumnsPerPixel * Width * _bandCount];
+            _rows = new uint[PlaneBands.RowsPerBand * Width * _bandCount];
             SmallestTiles.Resize(Width, Height);
             LargestTiles.Resize(Width, Height);
             FrameCount = 0;
@@ -115,8 +119,6 @@ namespace LaserTracking.Detection
         {
             if (change.Gain != 1)
                 Rescale(change.Gain);
-            _shiftX = change.ShiftX;
-            _shiftY = change.ShiftY;
             _turn = 1 - _turn;
             _isDilated = change.IsBetweenPixels;
             if (_isDilated)
@@ -125,74 +127,48 @@ namespace LaserTracking.Detection
                 Dilate(_largest[1 - _turn], _dilatedLargest);
             }
 
-            fixed (uint* picture = Now)
-            fixed (uint* rows = _rows)
+            fixed (uint* picture = Now, rows = _rows)
             fixed (byte* oldMin = _smallest[1 - _turn], newMin = NewSmallest, oldMax = _largest[1 - _turn], newMax = NewLargest, columns = _columns)
-            fixed (byte* dilatedMin = _dilatedSmallest, dilatedMax = _dilatedLargest)
+            fixed (byte* dilatedMin = _dilatedSmallest, dilatedMax = _dilatedLargest, smallest = SmallestTiles.Onsets, largest = LargestTiles.Onsets)
             {
-                byte* unused = columns + 2 * Width;
-                for (int top = 0; top < Height; top += TileGrid.Size)
+                var work = new PlaneBands
                 {
-                    Array.Clear(_columns, 0, _columns.Length);
-                    int bottom = Math.Min(Height, top + TileGrid.Size);
-                    for (int y = top; y < bottom; y++)
-                    {
-                        long row = (long)y * Width;
-                        if (smooth)
-                            SmoothRow(image, y, rows, picture + row, useVectors);
-                        else
-                            ReduceRow(image, y, picture + row, rows, useVectors);
-                        // The onsets from the dilated past, the new past from the true one: it would grow by a pixel a frame.
-                        if (_isDilated)
-                            EnvelopeKernel.Row(picture + row, Width, (byte)decay, dilatedMin + row, newMin + row, dilatedMax + row, newMax + row, columns, columns + Width, useVectors);
-                        byte* onsets = _isDilated ? unused : columns;
-                        EnvelopeKernel.Row(picture + row, Width, (byte)decay, oldMin + row, newMin + row, oldMax + row, newMax + row, onsets, onsets + Width, useVectors);
-                    }
-
-                    SmallestTiles.SetRow(top / TileGrid.Size, columns, Width);
-                    LargestTiles.SetRow(top / TileGrid.Size, columns + Width, Width);
-                }
+                    Source = image,
+                    Width = Width,
+                    Height = Height,
+                    Factor = Factor,
+                    ShiftX = change.ShiftX,
+                    ShiftY = change.ShiftY,
+                    Decay = (byte)decay,
+                    IsSmooth = smooth,
+                    IsDilated = _isDilated,
+                    UseVectors = useVectors,
+                    BandCount = _bandCount,
+                    Picture = picture,
+                    OldSmallest = oldMin,
+                    NewSmallest = newMin,
+                    OldLargest = oldMax,
+                    NewLargest = newMax,
+                    DilatedSmallest = dilatedMin,
+                    DilatedLargest = dilatedMax,
+                    SmallestOnsets = smallest,
+                    LargestOnsets = largest,
+                    Rows = rows,
+                    Columns = columns,
+                };
+                _kernels.Run(&work, _bandCount);
             }
 
             FrameCount++;
-        }
-
-        /// <summary>Keeps the last three reduced and horizontally smoothed rows; the fourth holds the one being reduced.</summary>
-        private void SmoothRow(Image image, int y, uint* rows, uint* target, bool useVectors)
-        {
-            for (int next = y == 0 ? 0 : y + 1; next <= Math.Min(y + 1, Height - 1); next++)
-            {
-                ReduceRow(image, next, rows + 3 * Width, rows + 4 * Width, useVectors);
-                SmoothingKernel.Horizontal(rows + 3 * Width, Width, rows + next % 3 * Width, useVectors);
-            }
-
-            uint* above = rows + Math.Max(0, y - 1) % 3 * Width;
-            uint* below = rows + Math.Min(Height - 1, y + 1) % 3 * Width;
-            SmoothingKernel.Vertical(above, rows + y % 3 * Width, below, Width, target, useVectors);
         }
 
         private void Dilate(byte[] source, byte[] target)
         {
             fixed (byte* from = source, to = target)
             {
-                for (int y = 0; y < Height; y++)
-                    DilationKernel.Row(from + Math.Max(0, y - 1) * Width, from + y * Width, from + Math.Min(Height - 1, y + 1) * Width, Width, to + y * Width);
+                var work = new DilationBands { Source = from, Target = to, Width = Width, Height = Height };
+                _kernels.Run(&work, Height);
             }
-        }
-
-        /// <summary>One row of the working picture, put back by the displacement; spare has room for a row.</summary>
-        private void ReduceRow(Image image, int y, uint* target, uint* spare, bool useVectors)
-        {
-            int from = Math.Max(0, Math.Min(Height - 1, y + _shiftY));
-            if (_shiftX == 0)
-            {
-                ReductionKernel.Row(image, from, Factor, target, useVectors);
-                return;
-            }
-
-            ReductionKernel.Row(image, from, Factor, spare, useVectors);
-            for (int x = 0; x < Width; x++)
-                target[x] = spare[Math.Max(0, Math.Min(Width - 1, x + _shiftX))];
         }
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
@@ -10,7 +11,9 @@ namespace LaserTracking.Detection
     internal sealed unsafe class PaperPlanes
     {
         private readonly PaperDetectorSettings _settings;
+        private readonly KernelRunner _kernels;
         private float[] _background = Array.Empty<float>();
+        private float[] _nextBackground = Array.Empty<float>();
         private float[] _excess = Array.Empty<float>();
         private float[] _spike = Array.Empty<float>();
         private float[] _rows = Array.Empty<float>();
@@ -19,9 +22,15 @@ namespace LaserTracking.Detection
         private int _sourceWidth;
         private int _sourceHeight;
         private PixelFormat _format;
+        private int _bandCount;
+        private int _sourceRowsLength;
         private bool _hasBackground;
 
-        public PaperPlanes(PaperDetectorSettings settings) => _settings = settings;
+        public PaperPlanes(PaperDetectorSettings settings, KernelRunner kernels)
+        {
+            _settings = settings;
+            _kernels = kernels;
+        }
 
         public int Width { get; private set; }
 
@@ -48,28 +57,42 @@ namespace LaserTracking.Detection
         {
             if (image.Width != _sourceWidth || image.Height != _sourceHeight || image.Format != _format)
                 Resize(image);
-            fixed (float* rows = _rows)
+            fixed (int* edges = _edges)
+            fixed (uint* sourceRows = _sourceRows)
+            fixed (float* intensity = Intensity, background = _background, next = _nextBackground, excess = _excess, spike = _spike, score = Score, rows = _rows)
             {
-                // Six blurred rows: the last three of the difference, then the last three of the excess; two raw ones after them.
-                float* difference = rows + 6 * Width, excess = rows + 7 * Width;
-                for (int y = 0; y < Height; y++)
+                var work = new PaperBands
                 {
-                    ReduceRow(image, y, excess);
-                    if (!_hasBackground)
-                        continue;
-                    fixed (float* intensity = Intensity, background = _background)
-                        PaperKernel.Differ(intensity + y * Width, background + y * Width, Width, (float)_settings.BackgroundAlpha, difference, _settings.UseVectors);
-                    PaperKernel.BlurRow(difference, Width, rows + y % 3 * Width, _settings.UseVectors);
-                    PaperKernel.BlurRow(excess, Width, rows + (3 + y % 3) * Width, _settings.UseVectors);
-                    if (y > 0)
-                        FinishRow(y - 1, rows);
-                }
+                    Source = image,
+                    Width = Width,
+                    Height = Height,
+                    HasBackground = _hasBackground,
+                    UseVectors = _settings.UseVectors,
+                    BandCount = _bandCount,
+                    Alpha = (float)_settings.BackgroundAlpha,
+                    Gamma = (float)_settings.SpikeGamma,
+                    SpikeWeight = (float)_settings.SpikeWeight,
+                    ExcessWeight = (float)_settings.GreenWeight,
+                    Edges = edges,
+                    Intensity = intensity,
+                    Background = background,
+                    NextBackground = next,
+                    Excess = excess,
+                    Spike = spike,
+                    Score = score,
+                    Rows = rows,
+                    SourceRows = sourceRows,
+                    SourceRowsLength = _sourceRowsLength,
+                };
+                _kernels.Run(&work, _bandCount);
+            }
 
-                if (_hasBackground)
-                {
-                    FinishRow(Height - 1, rows);
-                    return true;
-                }
+            if (_hasBackground)
+            {
+                float[] old = _background;
+                _background = _nextBackground;
+                _nextBackground = old;
+                return true;
             }
 
             Array.Copy(Intensity, _background, Width * Height);
@@ -89,51 +112,17 @@ namespace LaserTracking.Detection
             Intensity = new float[n];
             Score = new float[n];
             _background = new float[n];
+            _nextBackground = new float[n];
             _excess = new float[n];
             _spike = new float[n];
-            _rows = new float[8 * Width];
-            _sourceRows = new uint[image.Format == PixelFormat.Bgra32 ? 0 : image.Width * (image.Height / Height + 2)];
+            _bandCount = Math.Min(_kernels.BandCount, Height);
+            _rows = new float[PaperBands.RowsPerBand * Width * _bandCount];
+            _sourceRowsLength = image.Format == PixelFormat.Bgra32 ? 0 : image.Width * (image.Height / Height + 2);
+            _sourceRows = new uint[_sourceRowsLength * _bandCount];
             _edges = new int[Width + 1];
             for (int x = 0; x <= Width; x++)
                 _edges[x] = (int)((long)x * _sourceWidth / Width);
             _hasBackground = false;
-        }
-
-        /// <summary>Area average over whole source pixels; writes intensity and the raw green excess.</summary>
-        private void ReduceRow(Image image, int y, float* excess)
-        {
-            int top = (int)((long)y * _sourceHeight / Height);
-            int bottom = Math.Max(top + 1, (int)((long)(y + 1) * _sourceHeight / Height));
-            fixed (uint* converted = _sourceRows)
-            fixed (int* edges = _edges)
-            fixed (float* intensity = Intensity)
-            {
-                byte* source = image.Pixels + (long)top * image.Stride;
-                long stride = image.Stride;
-                if (_format != PixelFormat.Bgra32)
-                {
-                    for (int sy = top; sy < bottom; sy++)
-                        ReductionKernel.Row(image, sy, 1, converted + (sy - top) * _sourceWidth, _settings.UseVectors);
-                    source = (byte*)converted;
-                    stride = 4L * _sourceWidth;
-                }
-
-                PaperKernel.Reduce(source, bottom - top, stride, edges, Width, intensity + y * Width, excess, _settings.UseVectors);
-            }
-        }
-
-        /// <summary>The second half of the 3×3 Gaussian (1 2 1) ⊗ (1 2 1) / 16, edges repeated; then spike map and score.</summary>
-        private void FinishRow(int y, float* rows)
-        {
-            int above = Math.Max(0, y - 1) % 3 * Width, middle = y % 3 * Width, below = Math.Min(Height - 1, y + 1) % 3 * Width, row = y * Width;
-            float* difference = rows + 6 * Width;
-            float* blurred = rows + 3 * Width;
-            fixed (float* excess = _excess, spike = _spike, score = Score)
-            {
-                PaperKernel.BlurColumns(rows + above, rows + middle, rows + below, Width, difference, _settings.UseVectors);
-                PaperKernel.BlurColumns(blurred + above, blurred + middle, blurred + below, Width, excess + row, _settings.UseVectors);
-                PaperKernel.Score(difference, excess + row, spike + row, Width, (float)_settings.SpikeGamma, (float)_settings.SpikeWeight, (float)_settings.GreenWeight, score + row, _settings.UseVectors);
-            }
         }
     }
 }

@@ -2,6 +2,7 @@ using System;
 using LaserTracking.Capture;
 using LaserTracking.Geometry;
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
@@ -21,12 +22,13 @@ namespace LaserTracking.Detection
         private bool _hasLast;
 
         /// <param name="settings">Published defaults when absent. Copied.</param>
+        /// <param name="kernels">What runs the heavy kernels; this thread when absent.</param>
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
-        public PaperShotDetector(PaperDetectorSettings? settings = null)
+        public PaperShotDetector(PaperDetectorSettings? settings = null, KernelRunner? kernels = null)
         {
             _settings = settings?.Clone() ?? new PaperDetectorSettings();
             _settings.Validate();
-            _planes = new PaperPlanes(_settings);
+            _planes = new PaperPlanes(_settings, kernels ?? KernelRunner.Plain);
         }
 
         public string Name => "paper";

@@ -2,6 +2,7 @@ using System;
 using LaserTracking.Capture;
 using LaserTracking.Geometry;
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
@@ -16,7 +17,7 @@ namespace LaserTracking.Detection
         internal const int GateFloor = 2;
 
         private readonly ShotDetectorSettings _settings;
-        private readonly DetectionPlanes _planes = new DetectionPlanes();
+        private readonly DetectionPlanes _planes;
         private readonly BlobMeasurer _blobs = new BlobMeasurer();
         private readonly CandidateJudge _judge;
         private readonly SeedFinder _finder;
@@ -40,9 +41,11 @@ namespace LaserTracking.Detection
 
         /// <param name="settings">Defaults when absent. Copied.</param>
         /// <param name="expected">What the camera should see of the projected picture, where the rendered pictures are known.</param>
+        /// <param name="kernels">What runs the heavy kernels; this thread when absent.</param>
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
-        public ShotDetector(ShotDetectorSettings? settings = null, ExpectedView? expected = null)
+        public ShotDetector(ShotDetectorSettings? settings = null, ExpectedView? expected = null, KernelRunner? kernels = null)
         {
+            _planes = new DetectionPlanes(kernels ?? KernelRunner.Plain);
             _settings = settings?.Clone() ?? new ShotDetectorSettings();
             _settings.Validate();
             _blind = new BlindMeter(_settings);

@@ -48,20 +48,25 @@ namespace LaserTracking.Detection
 
         public void Resize(int width, int height)
         {
-            Columns = (width + Size - 1) / Size;
-            Rows = (height + Size - 1) / Size;
+            Columns = Count(width);
+            Rows = Count(height);
             _onsets = new byte[Columns * Rows];
             _activity = new float[Columns * Rows];
             _isExempt = new bool[Columns * Rows];
             _hot = new int[Columns * Rows];
         }
 
-        /// <summary>Reduces a row of column maxima to the tiles of one tile row.</summary>
-        public unsafe void SetRow(int tileRow, byte* columns, int width)
+        /// <summary>Where <see cref="ReduceRow"/> puts each frame's onsets, in reading order.</summary>
+        public byte[] Onsets => _onsets;
+
+        public static int Count(int length) => (length + Size - 1) / Size;
+
+        /// <summary>Reduces column maxima to the onsets of one row of tiles.</summary>
+        public static unsafe void ReduceRow(byte* columns, int width, byte* onsets)
         {
-            for (int t = 0; t < Columns; t++)
+            for (int t = 0; t < Count(width); t++)
             {
-                int end = Math.Min(width, (t + 1) * Size);
+                int end = (t + 1) * Size < width ? (t + 1) * Size : width;
                 byte largest = 0;
                 for (int x = t * Size; x < end; x++)
                 {
@@ -69,7 +74,7 @@ namespace LaserTracking.Detection
                         largest = columns[x];
                 }
 
-                _onsets[tileRow * Columns + t] = largest;
+                onsets[t] = largest;
             }
         }
 

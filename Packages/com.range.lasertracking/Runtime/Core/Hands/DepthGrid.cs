@@ -1,6 +1,7 @@
 using System;
 using LaserTracking.Geometry;
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands
 {
@@ -9,11 +10,13 @@ namespace LaserTracking.Hands
     {
         private readonly PinholeCamera _camera;
         private readonly DepthHandSettings _settings;
+        private readonly KernelRunner _kernels;
         private int _imageWidth;
         private int _imageHeight;
 
-        public DepthGrid(PinholeCamera camera, DepthHandSettings settings)
+        public DepthGrid(PinholeCamera camera, DepthHandSettings settings, KernelRunner kernels)
         {
+            _kernels = kernels;
             _camera = camera;
             _settings = settings;
         }
@@ -62,19 +65,24 @@ namespace LaserTracking.Hands
         {
             if (depth.Width != _imageWidth || depth.Height != _imageHeight)
                 Allocate(depth.Width, depth.Height);
-            float near = (float)_settings.NearMm, far = (float)_settings.FarMm;
             int first = StepPx >= 4 ? StepPx / 4 : 0, second = StepPx >= 4 ? StepPx - 1 - StepPx / 4 : StepPx - 1;
             fixed (float* z = Z)
             fixed (bool* lost = Lost)
             {
-                for (int row = 0; row < Height; row++)
+                var work = new DepthGridBands
                 {
-                    byte* top = depth.Pixels + (long)(row * StepPx + first) * depth.Stride;
-                    byte* bottom = depth.Pixels + (long)(row * StepPx + second) * depth.Stride;
-                    DepthGridKernel.Row((ushort*)top, (ushort*)bottom, Width, StepPx, first, second, near, far,
-                        (float)_settings.SurfaceStepMm, z + row * Width, lost + row * Width);
-                }
-
+                    Source = depth,
+                    Width = Width,
+                    StepPx = StepPx,
+                    FirstPx = first,
+                    SecondPx = second,
+                    NearMm = (float)_settings.NearMm,
+                    FarMm = (float)_settings.FarMm,
+                    SurfaceStepMm = (float)_settings.SurfaceStepMm,
+                    Z = z,
+                    Lost = lost,
+                };
+                _kernels.Run(&work, Height);
                 BridgeHoles(z, lost);
             }
         }
@@ -82,11 +90,11 @@ namespace LaserTracking.Hands
         /// <summary>Fills short holes between two cells of one surface, along rows first, then along columns.</summary>
         private void BridgeHoles(float* z, bool* lost)
         {
-            float cellRad = (float)Math.Sqrt(UnitArea), hole = (float)_settings.HoleMm, step = (float)_settings.SurfaceStepMm;
-            for (int row = 0; row < Height; row++)
-                DepthGridKernel.Bridge(z + row * Width, lost + row * Width, Width, 1, hole / cellRad, step);
-            for (int column = 0; column < Width; column++)
-                DepthGridKernel.Bridge(z + column, lost + column, Height, Width, hole / cellRad, step);
+            float cellRad = (float)Math.Sqrt(UnitArea), reach = (float)_settings.HoleMm / cellRad, step = (float)_settings.SurfaceStepMm;
+            var rows = new BridgeBands { Z = z, Lost = lost, Length = Width, Stride = 1, LineStride = Width, Reach = reach, SurfaceStepMm = step };
+            _kernels.Run(&rows, Height);
+            var columns = new BridgeBands { Z = z, Lost = lost, Length = Height, Stride = Width, LineStride = 1, Reach = reach, SurfaceStepMm = step };
+            _kernels.Run(&columns, Width);
         }
 
         private void Allocate(int imageWidth, int imageHeight)

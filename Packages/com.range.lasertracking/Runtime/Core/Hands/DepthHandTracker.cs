@@ -2,6 +2,7 @@ using System;
 using LaserTracking.Capture;
 using LaserTracking.Geometry;
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands
 {
@@ -22,25 +23,27 @@ namespace LaserTracking.Hands
 
         /// <param name="camera">Of the depth picture; for a smaller or larger picture of the same view it is scaled.</param>
         /// <param name="settings">Null: the defaults. Read once, here.</param>
+        /// <param name="kernels">What runs the heavy kernels; this thread when absent.</param>
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
-        public DepthHandTracker(PinholeCamera camera, DepthHandSettings? settings = null)
-            : this(camera, UprightFrame.Level, settings)
+        public DepthHandTracker(PinholeCamera camera, DepthHandSettings? settings = null, KernelRunner? kernels = null)
+            : this(camera, UprightFrame.Level, settings, kernels)
         {
         }
 
         /// <param name="camera">Its place tells where up is, which finds heads also when the camera looks up or down.</param>
         /// <param name="settings">Null: the defaults. Read once, here.</param>
+        /// <param name="kernels">What runs the heavy kernels; this thread when absent.</param>
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
-        public DepthHandTracker(HandCamera camera, DepthHandSettings? settings = null)
-            : this(camera.Intrinsics, UprightFrame.Of(camera), settings)
+        public DepthHandTracker(HandCamera camera, DepthHandSettings? settings = null, KernelRunner? kernels = null)
+            : this(camera.Intrinsics, UprightFrame.Of(camera), settings, kernels)
         {
         }
 
-        private DepthHandTracker(PinholeCamera camera, UprightFrame upright, DepthHandSettings? settings)
+        private DepthHandTracker(PinholeCamera camera, UprightFrame upright, DepthHandSettings? settings, KernelRunner? kernels)
         {
             DepthHandSettings used = settings ?? new DepthHandSettings();
             used.Validate();
-            _grid = new DepthGrid(camera, used);
+            _grid = new DepthGrid(camera, used, kernels ?? KernelRunner.Plain);
             _segmenter = new BodySegmenter(used);
             _fitter = new ArmFitter(used, upright);
             _heads = new HeadFinder(used, upright);

@@ -5,6 +5,7 @@ using LaserTracking.Fusion;
 using LaserTracking.Geometry;
 using LaserTracking.Hands;
 using LaserTracking.Hands.Model;
+using LaserTracking.Kernels;
 using LaserTracking.Scoring;
 using LaserTracking.Session;
 using LaserTracking.Tracking;
@@ -72,15 +73,16 @@ namespace LaserTracking.Pipeline
         /// <param name="sink">Receives all events.</param>
         /// <param name="settings">Defaults when absent.</param>
         /// <param name="handModel">Makes palm and side of the hands better where camera 1 has a picture; null: depth alone. Not owned.</param>
+        /// <param name="kernels">What runs the heavy kernels of the hands; this thread when absent.</param>
         public static RangePipeline CreateDefault(IShotDetector detector, RangeCalibration? calibration, bool hasHandCamera, ShotScorer? scorer,
-            IEventSink sink, PipelineSettings? settings = null, HandLandmarkNetwork? handModel = null)
+            IEventSink sink, PipelineSettings? settings = null, HandLandmarkNetwork? handModel = null, KernelRunner? kernels = null)
         {
             var tracker = new ShotTracker(new ShotTrackerSettings { Timing = (settings ?? new PipelineSettings()).CameraTiming });
             if (!hasHandCamera || calibration == null || !(calibration.HandCamera is HandCamera camera))
                 return new RangePipeline(detector, tracker, calibration, null, null, scorer, sink, settings);
             Vector2D sizeM = calibration.Screen.ScreenSizeM;
             var fusion = new ShooterAssignment(camera, new FusionSettings { ScreenAreaM2 = sizeM.X * sizeM.Y });
-            IHandTracker hands = new DepthHandTracker(camera);
+            IHandTracker hands = new DepthHandTracker(camera, null, kernels);
             if (handModel != null)
                 hands = new LandmarkHandTracker(hands, camera.Intrinsics, handModel);
             return new RangePipeline(detector, tracker, calibration, hands, fusion, scorer, sink, settings);

@@ -53,7 +53,7 @@ namespace LaserTracking.Detection
                     float[] x = Row(random, width), y = Row(random, width), z = Row(random, width), target = new float[width], other = new float[width], score = new float[width];
                     fixed (float* px = x, py = y, pz = z, t = target, o = other, s = score)
                     {
-                        PaperKernel.Differ(px, py, width, 0.95f, t, useVectors);
+                        PaperKernel.Differ(px, py, py, width, 0.95f, t, useVectors);
                         PaperKernel.BlurRow(t, width, o, useVectors);
                         PaperKernel.BlurColumns(px, o, py, width, t, useVectors);
                         PaperKernel.Score(t, o, pz, width, 0.88f, 0.6f, 0.4f, s, useVectors);

@@ -2,6 +2,7 @@ using System;
 using LaserTracking.Capture;
 using LaserTracking.Geometry;
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
@@ -42,17 +43,20 @@ namespace LaserTracking.Detection
 
         /// <param name="settings">Defaults when absent. Copied.</param>
         /// <param name="mapping">From infrared to colour px; null, or one for pictures of other sizes: equal fields of view.</param>
+        /// <param name="kernels">What runs the heavy kernels; this thread when absent.</param>
         /// <param name="flashSettings">Of the search for flashes in colour; defaults when absent.</param>
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
-        public DualShotDetector(DualDetectorSettings? settings = null, InfraredMapping? mapping = null, ShotDetectorSettings? flashSettings = null)
+        public DualShotDetector(DualDetectorSettings? settings = null, InfraredMapping? mapping = null, ShotDetectorSettings? flashSettings = null,
+            KernelRunner? kernels = null)
         {
+            kernels ??= KernelRunner.Plain;
             _settings = settings?.Clone() ?? new DualDetectorSettings();
             _settings.Validate();
             _calibrated = mapping;
-            _flashes = new ShotDetector(flashSettings);
-            _infrared = new InfraredSpotFinder(_settings);
+            _flashes = new ShotDetector(flashSettings, null, kernels);
+            _infrared = new InfraredSpotFinder(_settings, kernels);
             _probe = new ColorProbe(_settings);
-            _resting = new RestingDotFinder(_settings, _probe);
+            _resting = new RestingDotFinder(_settings, _probe, kernels);
         }
 
         public string Name => "dual";

@@ -1,6 +1,7 @@
 using System;
 using LaserTracking.Geometry;
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
@@ -17,6 +18,7 @@ namespace LaserTracking.Detection
         private const double GateSigmas = 2.5;
 
         private readonly DualDetectorSettings _settings;
+        private readonly KernelRunner _kernels;
         private readonly SpotWindow _window = new SpotWindow();
         private readonly int[] _differences = new int[MaxDifference + 1];
         private readonly Spot[] _spots;
@@ -24,8 +26,9 @@ namespace LaserTracking.Detection
         private ushort[] _tiles = Array.Empty<ushort>();
         private long[] _hot = Array.Empty<long>();
 
-        public InfraredSpotFinder(DualDetectorSettings settings)
+        public InfraredSpotFinder(DualDetectorSettings settings, KernelRunner kernels)
         {
+            _kernels = kernels;
             _settings = settings;
             _spots = new Spot[settings.MaxCandidates];
             _verdicts = new RejectedCandidate[settings.MaxCandidates];
@@ -53,11 +56,8 @@ namespace LaserTracking.Detection
 
             fixed (ushort* tiles = _tiles)
             {
-                for (int row = 0; row < rows; row++)
-                {
-                    int y = row * TileKernel.Size, count = Math.Min(TileKernel.Size, infrared.Height - y);
-                    TileKernel.Brightest(infrared.Pixels + (long)y * infrared.Stride, infrared.Stride, count, infrared.Width, tiles + row * columns, _settings.UseVectors);
-                }
+                var work = new InfraredTileBands { Source = infrared, Tiles = tiles, UseVectors = _settings.UseVectors };
+                _kernels.Run(&work, rows);
             }
 
             double noise = Noise(infrared);

@@ -1,6 +1,7 @@
 using System;
 using LaserTracking.Geometry;
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
@@ -19,6 +20,7 @@ namespace LaserTracking.Detection
 
         private readonly DualDetectorSettings _settings;
         private readonly ColorProbe _probe;
+        private readonly KernelRunner _kernels;
         private readonly RestingDot[] _dots = new RestingDot[Capacity];
         private byte[] _tiles = Array.Empty<byte>();
         private uint[] _rows = Array.Empty<uint>();
@@ -31,8 +33,9 @@ namespace LaserTracking.Detection
         private int _turn;
         private int _examined;
 
-        public RestingDotFinder(DualDetectorSettings settings, ColorProbe probe)
+        public RestingDotFinder(DualDetectorSettings settings, ColorProbe probe, KernelRunner kernels)
         {
+            _kernels = kernels;
             _settings = settings;
             _probe = probe;
         }
@@ -49,11 +52,7 @@ namespace LaserTracking.Detection
                 Resize(image);
             Watch(image);
             int part = _turn++ % _settings.PatrolParts;
-            for (int row = 0; row < _tileRows; row++)
-            {
-                if (isStart || row % _settings.PatrolParts == part)
-                    Reduce(image, row);
-            }
+            Reduce(image, isStart ? 0 : part, isStart ? 1 : _settings.PatrolParts);
 
             // Where more looks like a dot than there is time for, another place comes first each time.
             int first = _turn * RowStep % _tileRows;
@@ -74,7 +73,7 @@ namespace LaserTracking.Detection
             _columns = TileKernel.Count(_width);
             _tileRows = TileKernel.Count(_height);
             _tiles = new byte[_columns * _tileRows];
-            _rows = new uint[_format == PixelFormat.Bgra32 ? 0 : TileKernel.Size * _width];
+            _rows = new uint[_format == PixelFormat.Bgra32 ? 0 : TileKernel.Size * _width * _kernels.BandCount];
             _count = _turn = 0;
         }
 
@@ -108,23 +107,23 @@ namespace LaserTracking.Detection
             dot.Frames++;
         }
 
-        private void Reduce(Image image, int tileRow)
+        private void Reduce(Image image, int first, int step)
         {
-            int y = tileRow * TileKernel.Size, count = Math.Min(TileKernel.Size, _height - y);
             fixed (byte* tiles = _tiles)
             fixed (uint* rows = _rows)
             {
-                byte* band = image.Pixels + (long)y * image.Stride;
-                long stride = image.Stride;
-                if (_format != PixelFormat.Bgra32)
+                var work = new GreenTileBands
                 {
-                    band = (byte*)rows;
-                    stride = 4L * _width;
-                    for (int i = 0; i < count; i++)
-                        ReductionKernel.Row(image, y + i, 1, rows + i * _width, _settings.UseVectors);
-                }
-
-                TileKernel.Greenest(band, stride, count, _width, tiles + tileRow * _columns, _settings.UseVectors);
+                    Source = image,
+                    First = first,
+                    Step = step,
+                    Count = (_tileRows - first + step - 1) / step,
+                    BandCount = _kernels.BandCount,
+                    UseVectors = _settings.UseVectors,
+                    Tiles = tiles,
+                    Rows = rows,
+                };
+                _kernels.Run(&work, work.BandCount);
             }
         }
 

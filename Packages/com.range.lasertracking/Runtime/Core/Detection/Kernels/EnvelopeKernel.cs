@@ -45,8 +45,7 @@ namespace LaserTracking.Detection
             int onset = level - old - (255 - old >> HeadroomShift);
             int faded = old > decay ? old - decay : 0;
             *next = (byte)(level > faded ? level : faded);
-            if (onset > *column)
-                *column = (byte)onset;
+            *column = (byte)(onset > *column ? onset : *column);
         }
     }
 }

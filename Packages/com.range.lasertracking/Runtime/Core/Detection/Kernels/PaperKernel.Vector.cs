@@ -45,7 +45,7 @@ namespace LaserTracking.Detection
             return Avx2.Permute4x64((even + odd).AsUInt64(), 0xD8).AsUInt32();
         }
 
-        private static int DifferVector(float* intensity, float* background, int width, float alpha, float* difference)
+        private static int DifferVector(float* intensity, float* background, float* next, int width, float alpha, float* difference)
         {
             if (!Avx.IsSupported)
                 return 0;
@@ -55,7 +55,7 @@ namespace LaserTracking.Detection
             {
                 Vector256<float> now = Avx.LoadVector256(intensity + x), before = Avx.LoadVector256(background + x);
                 Avx.Store(difference + x, Avx.AndNot(sign, Avx.Subtract(now, before)));
-                Avx.Store(background + x, Avx.Add(Avx.Multiply(keep, before), Avx.Multiply(take, now)));
+                Avx.Store(next + x, Avx.Add(Avx.Multiply(keep, before), Avx.Multiply(take, now)));
             }
 
             return x;

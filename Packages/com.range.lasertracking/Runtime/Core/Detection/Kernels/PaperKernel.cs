@@ -47,18 +47,19 @@ namespace LaserTracking.Detection
             }
         }
 
-        /// <summary>|I − B| into difference, then B ← αB + (1-α)I.</summary>
-        public static void Differ(float* intensity, float* background, int width, float alpha, float* difference, bool useVectors)
+        /// <summary>|I − B| into difference and αB + (1-α)I into the next background, which may be the same memory.</summary>
+        public static void Differ(float* intensity, float* background, float* next, int width, float alpha, float* difference, bool useVectors)
         {
             int done = 0;
 #if NET8_0_OR_GREATER
             if (useVectors)
-                done = DifferVector(intensity, background, width, alpha, difference);
+                done = DifferVector(intensity, background, next, width, alpha, difference);
 #endif
             for (int x = done; x < width; x++)
             {
-                difference[x] = Math.Abs(intensity[x] - background[x]);
-                background[x] = alpha * background[x] + (1 - alpha) * intensity[x];
+                float before = background[x];
+                difference[x] = Math.Abs(intensity[x] - before);
+                next[x] = alpha * before + (1 - alpha) * intensity[x];
             }
         }
 

@@ -13,22 +13,20 @@ namespace LaserTracking.Detection
         public static int ReducedSize(int size, int factor) => (size + factor - 1) / factor;
 
         /// <summary>Writes row y of the working picture. The factor is 1 or 2.</summary>
-        public static void Row(Image image, int y, int factor, uint* target, bool useVectors)
+        public static void Row(in PictureView image, int y, int factor, uint* target, bool useVectors)
         {
             int width = image.Width;
-            byte* pixels = image.Pixels;
-            long stride = image.Stride;
             int y0 = y * factor;
             int y1 = factor == 2 && y0 + 1 < image.Height ? y0 + 1 : y0;
-            byte* row0 = pixels + y0 * stride;
-            byte* row1 = pixels + y1 * stride;
+            byte* row0 = image.Row(y0);
+            byte* row1 = image.Row(y1);
             int done = 0;
             switch (image.Format)
             {
                 case PixelFormat.Bgra32:
                     if (factor == 1)
                     {
-                        System.Buffer.MemoryCopy(row0, target, width * 4L, width * 4L);
+                        PixelMemory.Copy((uint*)row0, target, width);
                         return;
                     }
 
@@ -39,7 +37,7 @@ namespace LaserTracking.Detection
                     HalveBgra((uint*)row0, (uint*)row1, width, done, target);
                     break;
                 case PixelFormat.Nv12:
-                    byte* chroma = pixels + image.Height * stride + (y0 >> 1) * stride;
+                    byte* chroma = image.ChromaRow(y0);
                     if (factor == 1)
                     {
                         Nv12(row0, chroma, width, target);

@@ -1,3 +1,5 @@
+using LaserTracking.Imaging;
+
 namespace LaserTracking.Detection
 {
     /// <summary>
@@ -29,7 +31,7 @@ namespace LaserTracking.Detection
         public static void DilateRow(uint* picture, int width, int height, int y, uint* pad, uint* target, bool useVectors)
         {
             int top = y < Reach ? 0 : y - Reach, bottom = y + Reach >= height ? height - 1 : y + Reach;
-            System.Buffer.MemoryCopy(picture + (long)top * width, pad + Reach, width * 4L, width * 4L);
+            PixelMemory.Copy(picture + (long)top * width, pad + Reach, width);
             for (int row = top + 1; row <= bottom; row++)
                 Raise(picture + (long)row * width, width, pad + Reach, useVectors);
             int x = 0;
@@ -99,8 +101,7 @@ namespace LaserTracking.Detection
                 }
 
                 reference[x] = (byte)(largest - excess);
-                if (excess > column[x])
-                    column[x] = (byte)excess;
+                column[x] = (byte)(excess > column[x] ? excess : column[x]);
             }
         }
 

@@ -1,5 +1,6 @@
 using System;
 using LaserTracking.Geometry;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
@@ -35,6 +36,7 @@ namespace LaserTracking.Detection
         private readonly RenderedFrameHistory _history;
         private readonly RangeCalibration _calibration;
         private readonly PredictionSettings _settings;
+        private readonly KernelRunner _kernels;
         private readonly DelayMeter _delay;
         private readonly ColorTransfer _transfer = new ColorTransfer();
         private readonly short[] _cells = new short[ScreenGrid.CellCount];
@@ -65,9 +67,11 @@ namespace LaserTracking.Detection
         /// <param name="history">What the projector was given; somebody keeps adding to it.</param>
         /// <param name="calibration">Where the screen lies in the camera's picture.</param>
         /// <param name="settings">Defaults when absent. Copied.</param>
+        /// <param name="kernels">What runs the heavy kernels; this thread when absent.</param>
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
-        public ExpectedView(RenderedFrameHistory history, RangeCalibration calibration, PredictionSettings? settings = null)
+        public ExpectedView(RenderedFrameHistory history, RangeCalibration calibration, PredictionSettings? settings = null, KernelRunner? kernels = null)
         {
+            _kernels = kernels ?? KernelRunner.Plain;
             _history = history;
             _calibration = calibration;
             _settings = settings?.Clone() ?? new PredictionSettings();
@@ -200,13 +204,13 @@ namespace LaserTracking.Detection
             int pixels = _renderedWidth * _renderedHeight;
             _brightest = new uint[pixels];
             _screen = new uint[pixels + 1];
-            _pad = new uint[_renderedWidth + 2 * ExpectationKernel.Reach];
+            _pad = new uint[(_renderedWidth + 2 * ExpectationKernel.Reach) * _kernels.BandCount];
             _gain = new uint[pixels];
             _offset = new uint[pixels];
-            _row = new uint[2 * _grid.BlockColumns];
+            _row = new uint[2 * _grid.BlockColumns * _kernels.BandCount];
             _reference = new byte[_width * _height];
             _picture = new uint[_width * _height];
-            _columns = new byte[_width];
+            _columns = new byte[_width * _kernels.BandCount];
             Tiles.Resize(_width, _height);
             _delay.Reset();
             _transfer.Reset();
@@ -316,15 +320,26 @@ namespace LaserTracking.Detection
                 for (int i = 1; i < _shownCount; i++)
                 {
                     fixed (uint* picture = _history.At(_shown[i]).Pixels)
-                        ExpectationKernel.Raise(picture, _brightest.Length, brightest, _useVectors);
+                    {
+                        var raise = new RaiseBands { Source = picture, Target = brightest, Count = _brightest.Length, UseVectors = _useVectors };
+                        _kernels.Run(&raise, raise.BandCount);
+                    }
                 }
 
-                for (int y = 0; y < _renderedHeight; y++)
+                var work = new ExpectationBands
                 {
-                    int row = y * _renderedWidth;
-                    ExpectationKernel.DilateRow(brightest, _renderedWidth, _renderedHeight, y, pad, screen + row, _useVectors);
-                    ExpectationKernel.Transfer(screen + row, _renderedWidth, tone, gain + row, offset + row, _useVectors);
-                }
+                    Width = _renderedWidth,
+                    Height = _renderedHeight,
+                    UseVectors = _useVectors,
+                    BandCount = _kernels.BandCount,
+                    Brightest = brightest,
+                    Screen = screen,
+                    Tone = tone,
+                    Gain = gain,
+                    Offset = offset,
+                    Pad = pad,
+                };
+                _kernels.Run(&work, work.BandCount);
 
                 // Beside the screen anything may be.
                 screen[_brightest.Length] = 0xFFFFFFFFu;
@@ -349,21 +364,26 @@ namespace LaserTracking.Detection
 
         private void Compare(in FrameView view, uint* screen)
         {
-            int blockColumns = _grid!.BlockColumns;
-            fixed (int* blocks = _grid.Blocks)
-            fixed (uint* expected = _row)
-            fixed (byte* reference = _reference, columns = _columns)
+            fixed (int* blocks = _grid!.Blocks)
+            fixed (uint* row = _row)
+            fixed (byte* reference = _reference, columns = _columns, onsets = Tiles.Onsets)
             {
-                for (int y = 0; y < _height; y++)
+                var work = new ComparisonBands
                 {
-                    if (y % TileGrid.Size == 0)
-                        Array.Clear(_columns, 0, _columns.Length);
-                    if (y % 2 == 0)
-                        ExpectationKernel.Gather(screen, blocks + y / 2 * blockColumns, blockColumns, expected, _useVectors);
-                    ExpectationKernel.Exceed(view.Now + (long)y * _width, expected, _width, reference + (long)y * _width, columns, _useVectors);
-                    if (y % TileGrid.Size == TileGrid.Size - 1 || y == _height - 1)
-                        Tiles.SetRow(y / TileGrid.Size, columns, _width);
-                }
+                    Width = _width,
+                    Height = _height,
+                    BlockColumns = _grid.BlockColumns,
+                    UseVectors = _useVectors,
+                    BandCount = _kernels.BandCount,
+                    Now = view.Now,
+                    Screen = screen,
+                    Blocks = blocks,
+                    Reference = reference,
+                    Onsets = onsets,
+                    Row = row,
+                    Columns = columns,
+                };
+                _kernels.Run(&work, work.BandCount);
             }
         }
     }

@@ -1,8 +1,4 @@
-using System;
-#if NET8_0_OR_GREATER
-using System.Runtime.Intrinsics;
-using System.Runtime.Intrinsics.X86;
-#endif
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands.Model
 {
@@ -22,23 +18,19 @@ namespace LaserTracking.Hands.Model
             _clamp = clamp;
         }
 
-        public override void Run(bool useVectors)
+        public override void Run(KernelRunner kernels, bool useVectors)
         {
-            float* a = _first.Data;
-            float* b = _second.Data;
-            float* sum = _output.Data;
-            float low = _clamp.Low, high = _clamp.High;
-            int i = 0, count = _output.Count;
-#if NET8_0_OR_GREATER
-            if (useVectors)
+            var work = new AddBands
             {
-                Vector256<float> least = Vector256.Create(low), most = Vector256.Create(high);
-                for (; i + 8 <= count; i += 8)
-                    Avx.Store(sum + i, Avx.Max(least, Avx.Min(most, Avx.Add(Avx.LoadVector256(a + i), Avx.LoadVector256(b + i)))));
-            }
-#endif
-            for (; i < count; i++)
-                sum[i] = Math.Max(low, Math.Min(high, a[i] + b[i]));
+                First = _first.Data,
+                Second = _second.Data,
+                Sum = _output.Data,
+                Count = _output.Count,
+                Low = _clamp.Low,
+                High = _clamp.High,
+                UseVectors = useVectors,
+            };
+            kernels.Run(&work, work.BandCount);
         }
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands.Model
 {
@@ -20,7 +21,8 @@ namespace LaserTracking.Hands.Model
         /// <param name="weights">[output][row][column][channel].</param>
         /// <param name="bias">One for each output.</param>
         /// <param name="clamp">Fused activation.</param>
-        public ConvolutionLayer(FeatureMap input, FeatureMap output, SlidingWindow window, float[] weights, float[] bias, Clamp clamp)
+        /// <param name="bandCount">Of what will run it.</param>
+        public ConvolutionLayer(FeatureMap input, FeatureMap output, SlidingWindow window, float[] weights, float[] bias, Clamp clamp, int bandCount)
         {
             _input = input;
             _output = output;
@@ -32,22 +34,26 @@ namespace LaserTracking.Hands.Model
             _bias = new FloatBuffer(PointwiseKernel.PackedLength(output.Channels, 1));
             bias.CopyTo(new Span<float>(_bias.Floats, bias.Length));
             if (window.Height != 1 || window.Width != 1 || window.StrideX != 1 || window.StrideY != 1)
-                _columns = new FloatBuffer((long)output.Width * _depth);
+                _columns = new FloatBuffer((long)output.Width * _depth * bandCount);
         }
 
-        public override void Run(bool useVectors)
+        public override void Run(KernelRunner kernels, bool useVectors)
         {
-            if (_columns == null)
+            var work = new ConvolutionBands
             {
-                Multiply(_input.Data, _input.Pixels, _output.Data, useVectors);
-                return;
-            }
-
-            for (int y = 0; y < _output.Height; y++)
-            {
-                Gather(y, _columns.Floats);
-                Multiply(_columns.Floats, _output.Width, _output.Row(y), useVectors);
-            }
+                Input = _input,
+                Output = _output,
+                Window = _window,
+                Depth = _depth,
+                Weights = _weights.Floats,
+                Bias = _bias.Floats,
+                Low = _clamp.Low,
+                High = _clamp.High,
+                UseVectors = useVectors,
+                BandCount = kernels.BandCount,
+                Columns = _columns == null ? null : _columns.Floats,
+            };
+            kernels.Run(&work, work.BandCount);
         }
 
         public void Dispose()
@@ -55,34 +61,6 @@ namespace LaserTracking.Hands.Model
             _weights.Dispose();
             _bias.Dispose();
             _columns?.Dispose();
-        }
-
-        private void Multiply(float* input, int rows, float* output, bool useVectors) =>
-            PointwiseKernel.Multiply(input, rows, _depth, _weights.Floats, _bias.Floats, _output.Channels, output, _clamp.Low, _clamp.High, useVectors);
-
-        private void Gather(int y, float* columns)
-        {
-            int channels = _input.Channels, span = _window.Width * channels;
-            int top = y * _window.StrideY - _window.PaddingAbove(_input.Height);
-            int left = -_window.PaddingLeft(_input.Width);
-            for (int x = 0; x < _output.Width; x++, left += _window.StrideX)
-            {
-                // Of the window's columns, those within the picture.
-                int from = Math.Max(0, -left), to = Math.Min(_window.Width, _input.Width - left);
-                for (int k = 0; k < _window.Height; k++, columns += span)
-                {
-                    bool isInside = (uint)(top + k) < (uint)_input.Height && to > from;
-                    if (!isInside || to - from < _window.Width)
-                        new Span<float>(columns, span).Clear();
-                    if (!isInside)
-                        continue;
-                    float* source = _input.Row(top + k) + (long)(left + from) * channels;
-                    float* target = columns + from * channels;
-                    int count = (to - from) * channels;
-                    for (int i = 0; i < count; i++)
-                        target[i] = source[i];
-                }
-            }
         }
     }
 }

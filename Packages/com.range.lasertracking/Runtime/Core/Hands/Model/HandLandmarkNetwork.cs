@@ -1,5 +1,6 @@
 using System;
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands.Model
 {
@@ -19,20 +20,28 @@ namespace LaserTracking.Hands.Model
         private const int Values = 3 * HandLandmarks.Count;
 
         private readonly TfLiteNetwork _network;
+        private readonly KernelRunner _kernels;
+        private readonly float[] _rowSums = new float[InputSizePx];
 
-        private HandLandmarkNetwork(TfLiteNetwork network) => _network = network;
+        private HandLandmarkNetwork(TfLiteNetwork network, KernelRunner kernels)
+        {
+            _network = network;
+            _kernels = kernels;
+        }
 
         /// <param name="path">Of the .tflite file.</param>
         /// <param name="file">Which one it must be; its SHA-256 is checked.</param>
+        /// <param name="kernels">What runs the heavy kernels; this thread when absent.</param>
         /// <exception cref="InputException">Missing, cut, or another file.</exception>
-        public static HandLandmarkNetwork Open(string path, HandModelFile file) => Read(file.Read(path), path);
+        public static HandLandmarkNetwork Open(string path, HandModelFile file, KernelRunner? kernels = null) => Read(file.Read(path), path, kernels);
 
         /// <param name="bytes">A .tflite file with the inputs and outputs of a hand landmark model; not needed afterwards.</param>
         /// <param name="source">How messages name it.</param>
+        /// <param name="kernels">What runs the heavy kernels; this thread when absent.</param>
         /// <exception cref="InputException">Damaged, or a network for something else.</exception>
-        public static HandLandmarkNetwork Read(byte[] bytes, string source) => Read(bytes, source, TfLiteNetwork.HasVectors);
+        public static HandLandmarkNetwork Read(byte[] bytes, string source, KernelRunner? kernels = null) => Read(bytes, source, TfLiteNetwork.HasVectors, kernels);
 
-        internal static HandLandmarkNetwork Read(byte[] bytes, string source, bool useVectors)
+        internal static HandLandmarkNetwork Read(byte[] bytes, string source, bool useVectors, KernelRunner? kernels = null)
         {
             TfLiteModel model = TfLiteModel.Read(bytes, source);
             bool fits = model.Inputs.Length == 1 && Elements(model, model.Inputs[0]) == InputSizePx * InputSizePx * 3
@@ -40,7 +49,7 @@ namespace LaserTracking.Hands.Model
                 && Elements(model, model.Outputs[2]) == 1 && Elements(model, model.Outputs[3]) == Values;
             if (!fits)
                 throw model.File.Broken("is a network for something else than hand landmarks");
-            return new HandLandmarkNetwork(new TfLiteNetwork(model, useVectors));
+            return new HandLandmarkNetwork(new TfLiteNetwork(model, useVectors, kernels), kernels ?? KernelRunner.Plain);
         }
 
         /// <summary>Looks at one region of a picture.</summary>
@@ -54,11 +63,24 @@ namespace LaserTracking.Hands.Model
                 throw new ArgumentException($"a picture of format {picture.Format} shows no hand", nameof(picture));
             if (!region.IsValid)
                 throw new ArgumentException("the region must be finite and its side above zero", nameof(region));
-            CropKernel.Cut(picture, region, InputSizePx, _network.Inputs[0].Data);
+            Cut(picture, region, _network.Inputs[0].Data);
             _network.Run();
             ReadOnlySpan<FeatureMap> outputs = _network.Outputs;
             landmarks.Set(region, new ReadOnlySpan<float>(outputs[0].Data, Values), new ReadOnlySpan<float>(outputs[3].Data, Values),
                 outputs[1].Data[0], outputs[2].Data[0]);
+        }
+
+        private void Cut(Image picture, in HandRegion region, float* crop)
+        {
+            fixed (float* sums = _rowSums)
+            {
+                CropBands cut = CropBands.Of(picture, region, InputSizePx, crop, sums);
+                _kernels.Run(&cut, InputSizePx);
+                if (picture.Format != PixelFormat.Infrared16)
+                    return;
+                var exposure = new ExposureBands { Rgb = crop, Width = InputSizePx, Gain = cut.ExposureGain() };
+                _kernels.Run(&exposure, InputSizePx);
+            }
         }
 
         /// <summary>There is a picture, and it is no depth.</summary>

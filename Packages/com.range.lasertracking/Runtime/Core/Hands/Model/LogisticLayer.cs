@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands.Model
 {
@@ -14,7 +15,7 @@ namespace LaserTracking.Hands.Model
             _output = output;
         }
 
-        public override void Run(bool useVectors)
+        public override void Run(KernelRunner kernels, bool useVectors)
         {
             for (int i = 0; i < _output.Count; i++)
                 _output.Data[i] = (float)(1 / (1 + Math.Exp(-_input.Data[i])));

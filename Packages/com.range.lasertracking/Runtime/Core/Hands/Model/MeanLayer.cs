@@ -1,3 +1,5 @@
+using LaserTracking.Kernels;
+
 namespace LaserTracking.Hands.Model
 {
     /// <summary>MEAN over height and width: one value a channel.</summary>
@@ -12,7 +14,7 @@ namespace LaserTracking.Hands.Model
             _output = output;
         }
 
-        public override void Run(bool useVectors)
+        public override void Run(KernelRunner kernels, bool useVectors)
         {
             int channels = _input.Channels, pixels = _input.Pixels;
             for (int c = 0; c < channels; c++)

@@ -10,20 +10,23 @@ namespace LaserTracking.Hands.Model
         private const long MaxActivations = 1 << 26;
         private const long MaxConstants = 1 << 25;
         private const long MaxMultiplyAdds = 4_000_000_000;
-        private const int MaxWindow = 64;
 
         private readonly TfLiteModel _model;
         private readonly float[]?[] _constants;
         private readonly long[] _offsets;
         private readonly int[] _lastUse;
+        private readonly int _bandCount;
         private readonly List<NetworkLayer> _layers = new List<NetworkLayer>();
         private FloatBuffer? _activations;
         private long _constantCount;
         private long _multiplyAdds;
         private int _operator;
 
-        public NetworkBuilder(TfLiteModel model)
+        /// <param name="model">Its source.</param>
+        /// <param name="bandCount">Of what will run the layers.</param>
+        public NetworkBuilder(TfLiteModel model, int bandCount)
         {
+            _bandCount = bandCount;
             _model = model;
             _constants = new float[model.Tensors.Length][];
             _offsets = new long[model.Tensors.Length];
@@ -192,7 +195,7 @@ namespace LaserTracking.Hands.Model
             SlidingWindow window = Window(step, shape, shape.Length == 4 ? shape[1] : 0, shape.Length == 4 ? shape[2] : 0, 4, input, output);
             Require(shape[0] == output.Channels && shape[3] == input.Channels, "has weights for other channels");
             Count((long)output.Count * window.Height * window.Width * input.Channels);
-            _layers.Add(new ConvolutionLayer(input, output, window, weights, Bias(step, output.Channels), Activate(step, 3)));
+            _layers.Add(new ConvolutionLayer(input, output, window, weights, Bias(step, output.Channels), Activate(step, 3), _bandCount));
         }
 
         private void Depthwise(TfLiteOperator step)
@@ -202,7 +205,7 @@ namespace LaserTracking.Hands.Model
             SlidingWindow window = Window(step, shape, shape.Length == 4 ? shape[1] : 0, shape.Length == 4 ? shape[2] : 0, 5, input, output);
             Require(shape[0] == 1 && shape[3] == output.Channels && input.Channels == output.Channels, "is a depthwise convolution with a multiplier other than 1");
             Count((long)output.Count * window.Height * window.Width);
-            _layers.Add(new DepthwiseLayer(input, output, window, weights, Bias(step, output.Channels), Activate(step, 4)));
+            _layers.Add(new DepthwiseLayer(input, output, window, weights, Bias(step, output.Channels), Activate(step, 4), _bandCount));
         }
 
         /// <summary>A convolution over a picture of one pixel.</summary>
@@ -213,7 +216,7 @@ namespace LaserTracking.Hands.Model
             Require(shape.Length == 2 && shape[0] == output.Count && shape[1] == input.Count && Option(step, 1) == 0, "has weights for other vectors");
             Count((long)input.Count * output.Count);
             _layers.Add(new ConvolutionLayer(new FeatureMap(input.Data, 1, 1, input.Count), new FeatureMap(output.Data, 1, 1, output.Count),
-                new SlidingWindow(false, 1, 1, 1, 1), weights, Bias(step, output.Count), Activate(step, 0)));
+                new SlidingWindow(false, 1, 1, 1, 1), weights, Bias(step, output.Count), Activate(step, 0), _bandCount));
         }
 
         private void MaxPool(TfLiteOperator step)
@@ -245,8 +248,8 @@ namespace LaserTracking.Hands.Model
         private SlidingWindow Window(TfLiteOperator step, int[]? shape, int height, int width, int dilation, FeatureMap input, FeatureMap output)
         {
             int strideX = Integer(step, 1, 0), strideY = Integer(step, 2, 0);
-            Require((shape == null || shape.Length == 4) && Math.Min(height, width) > 0 && Math.Max(height, width) <= MaxWindow
-                && Math.Min(strideX, strideY) > 0 && Math.Max(strideX, strideY) <= MaxWindow, "has a window or a stride that cannot be");
+            Require((shape == null || shape.Length == 4) && Math.Min(height, width) > 0 && Math.Max(height, width) <= SlidingWindow.MaxSide
+                && Math.Min(strideX, strideY) > 0 && Math.Max(strideX, strideY) <= SlidingWindow.MaxSide, "has a window or a stride that cannot be");
             Require(dilation == 0 || (Integer(step, dilation, 1) == 1 && Integer(step, dilation + 1, 1) == 1), "has a window with gaps");
             var window = new SlidingWindow(Option(step, 0) == 0, height, width, strideY, strideX);
             Require(window.OutputHeight(input.Height) == output.Height && window.OutputWidth(input.Width) == output.Width,

@@ -5,9 +5,11 @@ namespace LaserTracking.Hands.Model
     /// <summary>How a window goes over a picture along both axes.</summary>
     internal readonly struct SlidingWindow
     {
+        public const int MaxSide = 64;
+
         /// <param name="isPadded">Padding "same": zeros around the picture, the odd one behind it; else "valid": none.</param>
-        /// <param name="height">Of the window.</param>
-        /// <param name="width">Of the window.</param>
+        /// <param name="height">Of the window, 1 … <see cref="MaxSide"/>.</param>
+        /// <param name="width">Of the window, 1 … <see cref="MaxSide"/>.</param>
         /// <param name="strideY">From one output to the next.</param>
         /// <param name="strideX">From one output to the next.</param>
         public SlidingWindow(bool isPadded, int height, int width, int strideY, int strideX)

@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands.Model
 {
@@ -12,14 +13,17 @@ namespace LaserTracking.Hands.Model
         private readonly FloatBuffer _activations;
         private readonly FeatureMap[] _inputs;
         private readonly FeatureMap[] _outputs;
+        private readonly KernelRunner _kernels;
         private readonly bool _useVectors;
 
         /// <param name="model">What to run; not needed afterwards.</param>
         /// <param name="useVectors">See <see cref="HasVectors"/>.</param>
+        /// <param name="kernels">What runs the operators; this thread when absent.</param>
         /// <exception cref="InputException">The operators do not fit together, or there are too many of them to run live.</exception>
-        public TfLiteNetwork(TfLiteModel model, bool useVectors)
+        public TfLiteNetwork(TfLiteModel model, bool useVectors, KernelRunner? kernels = null)
         {
-            var builder = new NetworkBuilder(model);
+            _kernels = kernels ?? KernelRunner.Plain;
+            var builder = new NetworkBuilder(model, _kernels.BandCount);
             _layers = builder.Build(out _activations);
             _inputs = Array.ConvertAll(model.Inputs, builder.Map);
             _outputs = Array.ConvertAll(model.Outputs, builder.Map);
@@ -48,7 +52,7 @@ namespace LaserTracking.Hands.Model
         public void Run()
         {
             foreach (NetworkLayer layer in _layers)
-                layer.Run(_useVectors);
+                layer.Run(_kernels, _useVectors);
         }
 
         public void Dispose()

@@ -1,0 +1,14 @@
+// Test code, never shipped: part of an executable stand-in for Unity's engine, see Tests/UnityStandIn/README.md.
+using UnityStandIn;
+
+namespace Unity.Jobs
+{
+    public static class IJobForExtensions
+    {
+        public static JobHandle ScheduleParallel<T>(this T jobData, int arrayLength, int innerloopBatchCount, JobHandle dependency) where T : struct, IJobFor
+        {
+            dependency.Complete();
+            return new JobHandle(JobWorkers.Schedule(jobData, arrayLength, innerloopBatchCount));
+        }
+    }
+}
