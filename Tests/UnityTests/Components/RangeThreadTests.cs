@@ -163,8 +163,17 @@ namespace LaserTracking.Unity
         [Test]
         public void LaserRange_LiveCameraWithSlowReader_KeepsTheNewestAndCounts()
         {
-            RangeRig rig = LiveRig(new StubSource(300, 0));
+            RangeRig rig = LiveRig(new StubSource(100, 0));
+            int last = -1, seen = 0;
+            rig.Range.SetLook(frame =>
+            {
+                seen++;
+                last = frame.Index;
+                Thread.Sleep(20);
+            });
             rig.Range.gameObject.SetActive(true);
+            Until(() => last == 99, 0.001);
+            Assert.That(seen, Is.LessThan(20), "a hundred frames came at once, four of them can wait");
             Until(() => rig.Health.Any(health => health.Kind == HealthKind.FrameGap && health.Text.Contains("left out")));
             Assert.That(rig.Health.First(health => health.Text.Contains("left out")).Value, Is.GreaterThan(0));
         }
@@ -287,7 +296,7 @@ namespace LaserTracking.Unity
                 Thread.Sleep(2);
             }
 
-            Assert.That(isSo(), Is.True);
+            Assert.That(isSo(), Is.True, string.Join("\n", ConsoleLog.Entries));
         }
     }
 }

@@ -48,8 +48,9 @@ namespace LaserTracking.Unity
         /// <param name="handModel">Used by the pipeline; owned from now on. Or null.</param>
         /// <param name="events">Where the pipeline's events go; what befalls the sources goes there too.</param>
         /// <param name="recording">Records what the detector gets; stays the caller's. Or null.</param>
+        /// <param name="look">See <see cref="Look"/>; from the first frame on.</param>
         public FramePump(RangePipeline pipeline, IFrameSource screenCamera, IFrameSource? handCamera, long handClockOffsetUs, FrameSourceAsset source,
-            IDisposable? handModel, EventInbox events, SessionLogWriter? recording)
+            IDisposable? handModel, EventInbox events, SessionLogWriter? recording, Action<Frame>? look)
         {
             _pipeline = pipeline;
             _screenCamera = screenCamera;
@@ -60,6 +61,7 @@ namespace LaserTracking.Unity
             _clock = new SceneClock(_isLive, source.LatencyS);
             _handModel = handModel;
             _events = events;
+            _look = look;
             _recording = recording;
             _runner.BeforeFrame = frame => _recording?.AddScreenFrame(frame);
             _runner.HandFrameRead = frame => _recording?.AddHandFrame(frame);
@@ -116,6 +118,7 @@ namespace LaserTracking.Unity
         /// <param name="unityTimeS">Unity's time, seconds.</param>
         public void Update(double unityTimeS)
         {
+            TellDropped();
             lock (_lock)
             {
                 if (!_hasFrame || _hasEnded)
@@ -129,8 +132,6 @@ namespace LaserTracking.Unity
                 _dueUs = (long)Math.Round(_clock.TimeS * 1e6) + _sceneTimeZeroUs.Value;
                 Monitor.PulseAll(_lock);
             }
-
-            TellDropped();
         }
 
         /// <summary>Waits until every frame that is due has been processed; at once for a live source, whose frames are never due.</summary>

@@ -176,8 +176,7 @@ namespace LaserTracking.Unity
             var opening = new RangeOpening(this, _source, Warn);
             try
             {
-                _pump = opening.Open(_events);
-                _pump.Look = _look;
+                _pump = opening.Open(_events, _look);
                 if (isRetry)
                     Report("LaserRange " + name + ": the camera of " + _source.name + " is there again", false);
                 if (!_isPrepared && (Screen == null || opening.HasCalibration))

@@ -31,8 +31,10 @@ namespace LaserTracking.Unity
         /// <summary>Shots will have a place on the screen.</summary>
         public bool HasCalibration { get; private set; }
 
+        /// <param name="events">Where what it finds goes.</param>
+        /// <param name="look">Takes the frames instead of the detector; or null.</param>
         /// <exception cref="InputException">The source or its calibration cannot be used; nothing stays open.</exception>
-        public FramePump Open(EventInbox events)
+        public FramePump Open(EventInbox events, Action<Frame>? look)
         {
             IFrameSource? source = null, handSource = null;
             HandLandmarkNetwork? handModel = null;
@@ -52,7 +54,7 @@ namespace LaserTracking.Unity
                 RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(null, null, kernels), calibration, handSource != null, null, events, settings, handModel, kernels);
                 pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
                 SessionLogWriter? recording = _range.Recorder?.Begin(_asset, source, handSource, handClockOffsetUs, calibration);
-                return new FramePump(pipeline, source, handSource, handClockOffsetUs, _asset, handModel, events, recording);
+                return new FramePump(pipeline, source, handSource, handClockOffsetUs, _asset, handModel, events, recording, look);
             }
             catch
             {
