@@ -56,9 +56,9 @@ namespace LaserTracking.Host.Commands
                 if (sessionFolder != null)
                     eventsName ??= System.IO.Path.Combine(sessionFolder, SessionLog.EventsFileName);
                 string? sendTo = parsed.GetValue(send), key = parsed.GetValue(keyFile);
+                using RemoteSender? sender = sendTo == null ? null : SendTarget.Open("--send", sendTo, key);
                 int Run(SessionPlan plan, KinectRecording? device)
                 {
-                    using RemoteSender? sender = sendTo == null ? null : SendTarget.Open("--send", sendTo, key);
                     var outputs = new SessionOutputs(eventsName, parsed.GetValue(dots), parsed.GetValue(report)) { Rejected = which, Listener = sender == null ? null : new RemoteEventSink(sender) };
                     int RunPlan(SessionPlan final) => outputs.Run(final, "Replay of " + name, interrupted);
                     return sessionFolder == null ? RunPlan(plan) : SessionFolder.Record(sessionFolder, plan, parsed.GetValue(handModel), device, RunPlan);
@@ -82,8 +82,6 @@ namespace LaserTracking.Host.Commands
                 foreach (string? result in new[] { eventsName, parsed.GetValue(dots) })
                     ResultFile.CheckNotRead(result, name, handName, calibrationName, sceneName, renderedName);
                 RangeCalibration? geometry = calibrationName == null ? null : RangeCalibrationFile.Read(calibrationName);
-                if (geometry is { IsUnverified: true })
-                    Console.Error.WriteLine($"range: {calibrationName}: this calibration is unverified, its millimetres are a claim: fire check shots and run 'range calibrate verify'");
                 SceneModel? model = sceneName == null ? null : UnitySceneReader.Read(sceneName);
                 if (model != null && geometry == null)
                     throw new InputException(sceneName!, "a scene needs the screen's place in the image", "add --calibration FILE");
@@ -104,6 +102,8 @@ namespace LaserTracking.Host.Commands
                 InfraredMapping? infraredMapping = InfraredMappings.Find(screenFrames, geometry, out string? infraredProblem);
                 using IFrameSource screenCamera = new PrefetchingFrameSource(screenFrames);
                 using IFrameSource? handCamera = handName == null ? null : new PrefetchingFrameSource(FrameSources.OpenHandCamera(handName, hands != null));
+                if (geometry is { IsUnverified: true })
+                    Console.Error.WriteLine($"range: {calibrationName}: this calibration is unverified, its millimetres are a claim: fire check shots and run 'range calibrate verify'");
                 var inputs = new List<SessionInput> { InputHash.Of(name) };
                 if (handName != null)
                     inputs.Add(InputHash.Of(handName));
