@@ -56,26 +56,27 @@ namespace LaserTracking.Calibration
             }
 
             List<string> undetermined = Undetermined(fit, out bool isParallel);
-            string why = isParallel ? FormattableString.Invariant($"the views are all parallel, as far as one can tell (within {fit.LargestAngleDegrees():F1}°)")
-                : FormattableString.Invariant($"{used.Count} views with tilts that differ by {fit.LargestAngleDegrees():F0}° at most are not enough");
+            if (undetermined.Count > 0)
+            {
+                string why = isParallel ? FormattableString.Invariant($"the views are all parallel, as far as one can tell (within {fit.LeastAngleDegrees:F1}°)")
+                    : FormattableString.Invariant($"{used.Count} views with tilts that differ by {fit.LargestAngleDegrees():F0}° at most are not enough");
+                reason = $"{why}: not determined: {string.Join(", ", undetermined)}; take views tilted by 20° to 40°, some about each axis";
+                return false;
+            }
+
             // From the highest order on; k1 stays, alone it is confused with nothing.
             var held = new List<string>();
-            Fit? simpler = fit;
-            for (; simpler != null && free.Length > 5 && simpler.LensDeviationPx() > UsableShare * 0.5 * width; simpler = Fit.Of(used, width, height, free))
+            while (free.Length > 5 && fit.LensDeviationPx() > UsableShare * 0.5 * width)
             {
                 held.Insert(0, CameraParameters.NameOf(free[^1]));
                 free = free.AsSpan(0, free.Length - 1).ToArray();
-            }
-
-            if (undetermined.Count > 0 || simpler == null)
-            {
-                reason = $"{why}: not determined: {string.Join(", ", undetermined.Concat(held))}; take views tilted by 20° to 40°, some about each axis";
-                return false;
+                if (!(Fit.Of(used, width, height, free) is Fit simpler))
+                    break;
+                fit = simpler;
             }
 
             if (held.Count > 0)
                 notes.Add($"the views do not determine {string.Join(", ", held)}: held at 0; for these, take views that reach to the edges of the picture");
-            fit = simpler;
             calibration = new CameraCalibration(fit.Camera, model, fit.RmsPx, used, fit.PerViewRmsPx, fit.State.Boards, fit.StandardDeviations(fit.AxisSigmaPx), leftOut, notes);
             return true;
         }
@@ -119,7 +120,7 @@ namespace LaserTracking.Calibration
             bool isCertainlyParallel = angle < Math.Max(CertainlyParallelDegrees, ParallelDeviations * fit.TiltDeviationDegrees());
             PinholeCamera pinhole = fit.Camera.Pinhole;
             double[] usable = { UsableShare * pinhole.FocalXPx, UsableShare * pinhole.FocalYPx, UsableShare * pinhole.Width, UsableShare * pinhole.Width };
-            isParallel = isCertainlyParallel || angle < ParallelDegrees;
+            isParallel = isCertainlyParallel || fit.LeastAngleDegrees < ParallelDegrees;
             return Enumerable.Range(0, 4).Where(i => isCertainlyParallel || !(deviations[i] <= usable[i]) || (i < 2 && fit.HasRival)).Select(CameraParameters.NameOf).ToList();
         }
 
@@ -155,6 +156,9 @@ namespace LaserTracking.Calibration
             /// <summary>Another focal length, further off than what is usable, fits nearly as well.</summary>
             public bool HasRival { get; private set; }
 
+            /// <summary>The largest angle between two boards in that of the equally good fits which has them most alike.</summary>
+            public double LeastAngleDegrees { get; private set; }
+
             public double RmsPx => _equations.RmsPx;
 
             /// <summary>Noise along one axis, px: what is left over for each degree of freedom.</summary>
@@ -169,7 +173,11 @@ namespace LaserTracking.Calibration
                 double[] guess = InitialFocalLengths.Guess(views, width, height);
                 Fit? best = From(guess, views, width, height, free);
                 if (best != null && best.StandardDeviations(best.JudgedSigmaPx)[0] <= DoubtedShare * best.Camera.Pinhole.FocalXPx && best.LargestAngleDegrees() >= DoubtedDegrees)
+                {
+                    best.LeastAngleDegrees = best.LargestAngleDegrees();
                     return best;
+                }
+
                 var all = new List<Fit>();
                 if (best != null)
                     all.Add(best);
@@ -184,7 +192,9 @@ namespace LaserTracking.Calibration
                 if (best != null)
                 {
                     double variance = best.JudgedSigmaPx * best.JudgedSigmaPx, focal = best.Camera.Pinhole.FocalXPx;
-                    best.HasRival = all.Any(fit => fit._equations.Cost - best._equations.Cost < RivalGain * variance && Math.Abs(fit.Camera.Pinhole.FocalXPx - focal) > 3 * UsableShare * focal);
+                    all.RemoveAll(fit => fit._equations.Cost - best._equations.Cost >= RivalGain * variance);
+                    best.LeastAngleDegrees = all.Min(fit => fit.LargestAngleDegrees());
+                    best.HasRival = all.Any(fit => Math.Abs(fit.Camera.Pinhole.FocalXPx - focal) > 3 * UsableShare * focal);
                 }
 
                 return best;
