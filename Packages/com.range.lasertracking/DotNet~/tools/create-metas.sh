@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Gives every file and folder that Unity sees and that has no .meta yet one, and those of the samples, which it sees once imported. The GUID is derived from the path at birth and
-# never changes afterwards: scenes refer to scripts through it, so move a file together with its .meta.
+# Gives every file and folder that Unity sees and that has no .meta yet one, the samples' too, which it sees once imported. The GUID
+# is derived from the path at birth and never changes afterwards: scenes refer to scripts through it, so move a file together with
+# its .meta.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../../../.." && pwd)
 cd "$root"
