@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Threading;
 using LaserTracking.Host.Scenes;
 using LaserTracking.Session;
 using LaserTracking.Simulation;
@@ -28,7 +29,8 @@ namespace LaserTracking.Unity
         public void Sample_Played_ScoresWhatItsScenarioFires(string sample, int points, int mistakes)
         {
             SimulationTruth truth = Truth(sample);
-            Play(sample, truth.Shots.Last().SceneTimeUs * 1e-6 + 0.3);
+            Load(sample);
+            Play(truth.Shots.Last().SceneTimeUs * 1e-6 + 0.3);
 
             Assert.That(ConsoleLog.Entries.Where(entry => !entry.Message.Contains("of flashes of a")), Is.Empty, "nothing but the advice on which flashes are caught");
             Assert.That(_shots.Select(Describe), Is.EqualTo(truth.Shots.Select(Describe)));
@@ -47,6 +49,39 @@ namespace LaserTracking.Unity
         }
 
         [Test]
+        public void StaticRange_WithTheMouseForSource_ScoresAClick()
+        {
+            Load("StaticRange");
+            LaserRange range = PlayerLoop.All<LaserRange>().Single();
+            range.Source = ScriptableObject.CreateInstance<MouseSource>();
+            Wait(() => false, 30);
+            LaserTarget target = PlayerLoop.All<LaserTarget>().Single(candidate => candidate.name == "Popper 1");
+
+            // The window's pixel under a point, of a camera that looks along z: its view is 1080 pixels high.
+            Camera eye = Camera.main;
+            Vector3 aimedAt = eye.transform.InverseTransformPoint(target.transform.TransformPoint(new Vector3(0, 0.38f, 0)));
+            double pxPerM = 540 / Math.Tan(eye.fieldOfView * Math.PI / 360) / aimedAt.z;
+            Desk.Mouse = new Vector3((float)(960 + aimedAt.x * pxPerM), (float)(540 + aimedAt.y * pxPerM), 0);
+            Desk.IsPressed = true;
+            PlayerLoop.Step(1 / 60.0);
+            Desk.IsPressed = false;
+            Wait(() => _shots.Count > 0, 600);
+            Assert.That((_shots.Single().Hit.Target, _shots[0].Hit.Zone), Is.EqualTo(("Popper 1", "Circle")));
+        }
+
+        [Test]
+        public void MovingTargets_FasterRunner_IsMissedBehind()
+        {
+            using var folder = new TemporaryFolder();
+            string scene = Path.Combine(folder.Path, "Faster.unity");
+            File.WriteAllText(scene, File.ReadAllText(SceneOf("MovingTargets")).Replace("_periodS: 6\n", "_periodS: 2.5\n", StringComparison.Ordinal));
+            LoadScene(scene);
+            Play(2.2);
+            Assert.That(_targetsTold, Is.EqualTo(new[] { "Runner", "Star Plate 1", "Swinging Ball" }));
+            Assert.That(_shots, Has.Count.EqualTo(4));
+        }
+
+        [Test]
         public void Samples_EveryOne_IsPlayed()
         {
             IEnumerable<object?> played = GetType().GetMethod(nameof(Sample_Played_ScoresWhatItsScenarioFires))!.GetCustomAttributes(typeof(TestCaseAttribute), false).Select(test => ((TestCaseAttribute)test).Arguments[0]);
@@ -58,13 +93,19 @@ namespace LaserTracking.Unity
 
         private static string SceneOf(string sample) => Path.Combine(Folder, sample, sample + ".unity");
 
-        private void Play(string sample, double playedS)
+        private void Load(string sample) => LoadScene(SceneOf(sample));
+
+        private void LoadScene(string path)
         {
-            SceneLoader.Load(SceneOf(sample));
-            LaserRange range = PlayerLoop.All<LaserRange>().Single();
-            range.ShotFired += _shots.Add;
+            SceneLoader.Load(path);
+            PlayerLoop.All<LaserRange>().Single().ShotFired += _shots.Add;
             foreach (LaserTarget target in PlayerLoop.All<LaserTarget>())
                 target.Hit += _ => _targetsTold.Add(target.name);
+        }
+
+        private void Play(double playedS)
+        {
+            LaserRange range = PlayerLoop.All<LaserRange>().Single();
             ShotVisuals visuals = PlayerLoop.All<ShotVisuals>().Single();
             for (int i = 0; i < playedS * 30; i++)
             {
@@ -72,6 +113,15 @@ namespace LaserTracking.Unity
                 range.CompleteDueFrames();
                 _raysSeen = Math.Max(_raysSeen, visuals.RaysShown);
                 _lit.UnionWith(PlayerLoop.All<LaserTarget>().Where(visuals.IsLit).Select(target => target.name));
+            }
+        }
+
+        private static void Wait(Func<bool> isSo, int frames)
+        {
+            for (int i = 0; i < frames && !isSo(); i++)
+            {
+                PlayerLoop.Step(1 / 60.0);
+                Thread.Sleep(2);
             }
         }
 
