@@ -14,12 +14,12 @@ namespace LaserTracking.Calibration
         // Corners are hardly ever found better than this; noise-free input must not hide what is undetermined.
         private const double LeastNoisePx = 0.1;
 
-        // A focal length or centre that may be off by this share of the focal length is not determined.
-        private const double UndeterminedShare = 0.05;
-        private const double ParallelDegrees = 8;
+        // What may be off by more than this share at one standard deviation is of no use: focal lengths by their own, the centre by the
+        // picture's width, the lens by half the picture's width, at its edge (in the corners even good sets are no better).
+        private const double UsableShare = 0.02;
 
         // However sure the fit believes to be: parallel boards give two equations for four numbers, the rest comes from the lens model.
-        private const double CertainlyParallelDegrees = 1;
+        private const double CertainlyParallelDegrees = 1, ParallelDeviations = 6, ParallelDegrees = 8;
 
         /// <param name="views">At least one; three that are tilted differently are the practical minimum, twenty are usual.</param>
         /// <param name="width">Picture width in pixels.</param>
@@ -36,10 +36,11 @@ namespace LaserTracking.Calibration
             List<BoardView> used = WithoutMirrored(views, leftOut, notes);
             if (!HasEnoughPoints(used, model, out reason))
                 return false;
+            int[] free = CameraParameters.Free(model);
             Fit? fit;
             while (true)
             {
-                fit = Fit.Of(used, width, height, model);
+                fit = Fit.Of(used, width, height, free);
                 if (fit == null)
                 {
                     reason = "the views fit no camera: check that all are of one board, seen by one camera";
@@ -54,20 +55,27 @@ namespace LaserTracking.Calibration
                 used.RemoveAt(outlier);
             }
 
-            double[] deviations = fit.StandardDeviations(Math.Max(fit.AxisSigmaPx, LeastNoisePx));
-            string undetermined = Undetermined(fit, deviations);
-            double spread = LargestAngleDegrees(fit.State.Boards);
-            if (undetermined.Length == 0 && spread < CertainlyParallelDegrees)
-                undetermined = string.Join(", ", Enumerable.Range(0, 4).Select(CameraParameters.NameOf));
-            if (undetermined.Length > 0)
+            List<string> undetermined = Undetermined(fit, out bool isParallel);
+            string why = isParallel ? FormattableString.Invariant($"the views are all parallel, as far as one can tell (within {fit.LargestAngleDegrees():F1}°)")
+                : FormattableString.Invariant($"{used.Count} views with tilts that differ by {fit.LargestAngleDegrees():F0}° at most are not enough");
+            // From the highest order on; k1 stays, alone it is confused with nothing.
+            var held = new List<string>();
+            Fit? simpler = fit;
+            for (; simpler != null && free.Length > 5 && simpler.LensDeviationPx() > UsableShare * 0.5 * width; simpler = Fit.Of(used, width, height, free))
             {
-                string why = spread < ParallelDegrees
-                    ? FormattableString.Invariant($"the views are all parallel, as far as one can tell (within {spread:F1}°)")
-                    : FormattableString.Invariant($"{used.Count} views with tilts that differ by {spread:F0}° at most are not enough");
-                reason = $"{why}: not determined: {undetermined}; take views tilted by 20° and more, some about each axis";
+                held.Insert(0, CameraParameters.NameOf(free[^1]));
+                free = free.AsSpan(0, free.Length - 1).ToArray();
+            }
+
+            if (undetermined.Count > 0 || simpler == null)
+            {
+                reason = $"{why}: not determined: {string.Join(", ", undetermined.Concat(held))}; take views tilted by 20° to 40°, some about each axis";
                 return false;
             }
 
+            if (held.Count > 0)
+                notes.Add($"the views do not determine {string.Join(", ", held)}: held at 0; for these, take views that reach to the edges of the picture");
+            fit = simpler;
             calibration = new CameraCalibration(fit.Camera, model, fit.RmsPx, used, fit.PerViewRmsPx, fit.State.Boards, fit.StandardDeviations(fit.AxisSigmaPx), leftOut, notes);
             return true;
         }
@@ -104,38 +112,38 @@ namespace LaserTracking.Calibration
         }
 
         /// <summary>Names of the focal lengths and centres that the views leave open.</summary>
-        private static string Undetermined(Fit fit, double[] deviations)
+        private static List<string> Undetermined(Fit fit, out bool isParallel)
         {
-            double limit = UndeterminedShare * fit.Camera.Pinhole.FocalXPx;
-            return string.Join(", ", Enumerable.Range(0, 4).Where(i => deviations[i] > limit).Select(CameraParameters.NameOf));
-        }
-
-        private static double LargestAngleDegrees(Pose[] boards)
-        {
-            double largest = 0;
-            foreach (Pose first in boards)
-            foreach (Pose second in boards)
-            {
-                Vector3D a = first.TransformDirection(new Vector3D(0, 0, 1)), b = second.TransformDirection(new Vector3D(0, 0, 1));
-                largest = Math.Max(largest, Math.Atan2(Vector3D.Cross(a, b).Length, Vector3D.Dot(a, b)));
-            }
-
-            return largest * 180 / Math.PI;
+            double[] deviations = fit.StandardDeviations(fit.JudgedSigmaPx);
+            double angle = fit.LargestAngleDegrees();
+            bool isCertainlyParallel = angle < Math.Max(CertainlyParallelDegrees, ParallelDeviations * fit.TiltDeviationDegrees());
+            PinholeCamera pinhole = fit.Camera.Pinhole;
+            double[] usable = { UsableShare * pinhole.FocalXPx, UsableShare * pinhole.FocalYPx, UsableShare * pinhole.Width, UsableShare * pinhole.Width };
+            isParallel = isCertainlyParallel || angle < ParallelDegrees;
+            return Enumerable.Range(0, 4).Where(i => isCertainlyParallel || !(deviations[i] <= usable[i]) || (i < 2 && fit.HasRival)).Select(CameraParameters.NameOf).ToList();
         }
 
         /// <summary>One bundle adjustment of one camera.</summary>
         private sealed class Fit
         {
+            // A fit is doubted, and begun again elsewhere, from this uncertainty of the focal length on or below this spread of tilts.
+            private const double DoubtedShare = 0.005, DoubtedDegrees = 20;
+
+            // Of costs: three standard deviations.
+            private const double RivalGain = 9;
+
+            private static readonly double[] Starts = { 0.4, 0.7, 1.2, 2, 4 };
+
             private readonly NormalEquations _equations;
             private readonly int[] _free;
 
-            private Fit(BundleState state, NormalEquations equations, int[] free, LensCamera camera, double[] perViewRmsPx)
+            private Fit(BundleState state, NormalEquations equations, int[] free, LensCamera camera, BundleObservation[] observations)
             {
                 State = state;
                 _equations = equations;
                 _free = free;
                 Camera = camera;
-                PerViewRmsPx = perViewRmsPx;
+                PerViewRmsPx = BundleAdjuster.BoardRmsPx(observations, new[] { camera }, state);
             }
 
             public BundleState State { get; }
@@ -144,14 +152,110 @@ namespace LaserTracking.Calibration
 
             public double[] PerViewRmsPx { get; }
 
+            /// <summary>Another focal length, further off than what is usable, fits nearly as well.</summary>
+            public bool HasRival { get; private set; }
+
             public double RmsPx => _equations.RmsPx;
 
             /// <summary>Noise along one axis, px: what is left over for each degree of freedom.</summary>
             public double AxisSigmaPx => Math.Sqrt(_equations.Cost / (2 * _equations.Points - _equations.Unknowns));
 
-            public static Fit? Of(IReadOnlyList<BoardView> views, int width, int height, LensModel model)
+            /// <summary>The noise by which is judged what is determined, px.</summary>
+            public double JudgedSigmaPx => Math.Max(AxisSigmaPx, LeastNoisePx);
+
+            /// <summary>The fit from Zhang's focal length, and where that is doubtful the best of several: nearly parallel boards have more than one minimum.</summary>
+            public static Fit? Of(IReadOnlyList<BoardView> views, int width, int height, int[] free)
             {
-                double[] parameters = InitialFocalLengths.Guess(views, width, height);
+                double[] guess = InitialFocalLengths.Guess(views, width, height);
+                Fit? best = From(guess, views, width, height, free);
+                if (best != null && best.StandardDeviations(best.JudgedSigmaPx)[0] <= DoubtedShare * best.Camera.Pinhole.FocalXPx && best.LargestAngleDegrees() >= DoubtedDegrees)
+                    return best;
+                var all = new List<Fit>();
+                if (best != null)
+                    all.Add(best);
+                foreach (double start in Starts)
+                {
+                    guess[0] = guess[1] = start * width;
+                    if (From(guess, views, width, height, free) is Fit other)
+                        all.Add(other);
+                }
+
+                best = all.OrderBy(fit => fit._equations.Cost).FirstOrDefault();
+                if (best != null)
+                {
+                    double variance = best.JudgedSigmaPx * best.JudgedSigmaPx, focal = best.Camera.Pinhole.FocalXPx;
+                    best.HasRival = all.Any(fit => fit._equations.Cost - best._equations.Cost < RivalGain * variance && Math.Abs(fit.Camera.Pinhole.FocalXPx - focal) > 3 * UsableShare * focal);
+                }
+
+                return best;
+            }
+
+            public double LargestAngleDegrees()
+            {
+                double largest = 0;
+                foreach (Pose first in State.Boards)
+                foreach (Pose second in State.Boards)
+                {
+                    Vector3D a = first.TransformDirection(new Vector3D(0, 0, 1)), b = second.TransformDirection(new Vector3D(0, 0, 1));
+                    largest = Math.Max(largest, Math.Atan2(Vector3D.Cross(a, b).Length, Vector3D.Dot(a, b)));
+                }
+
+                return largest * 180 / Math.PI;
+            }
+
+            /// <summary>How well the tilt of a board in the middle among them is known, from the noise that there is.</summary>
+            public double TiltDeviationDegrees()
+            {
+                double[] all = Enumerable.Range(0, State.Boards.Length).Select(board => _equations.TiltDeviation(board, AxisSigmaPx)).OrderBy(value => value).ToArray();
+                return all[all.Length / 2] * 180 / Math.PI;
+            }
+
+            /// <summary>
+            /// Standard deviation of the displacement by the lens in the middle of the picture's left or right edge, px: of a pixel, so that a focal length
+            /// that is not known, which scales the coefficients, does not count here.
+            /// </summary>
+            public double LensDeviationPx()
+            {
+                double[,] covariance = _equations.Covariance(JudgedSigmaPx);
+                double[] parameters = CameraParameters.Of(Camera);
+                PinholeCamera pinhole = Camera.Pinhole;
+                var edge = new Vector2D(2 * pinhole.CenterXPx < pinhole.Width ? pinhole.Width : 0, 0.5 * pinhole.Height);
+                var derivatives = new Vector2D[_free.Length];
+                for (int i = 0; i < _free.Length; i++)
+                {
+                    double step = _free[i] < 4 ? 1 : 1e-4, at = parameters[_free[i]];
+                    parameters[_free[i]] = at + step;
+                    Vector2D after = Displacement(parameters, edge);
+                    parameters[_free[i]] = at - step;
+                    derivatives[i] = (after - Displacement(parameters, edge)) * (0.5 / step);
+                    parameters[_free[i]] = at;
+                }
+
+                double variance = 0;
+                for (int i = 0; i < _free.Length; i++)
+                for (int k = 0; k < _free.Length; k++)
+                    variance += covariance[i, k] * Vector2D.Dot(derivatives[i], derivatives[k]);
+                return Math.Sqrt(Math.Max(0, variance));
+            }
+
+            public double[] StandardDeviations(double sigmaPx)
+            {
+                double[] free = _equations.StandardDeviations(sigmaPx);
+                var all = new double[CameraParameters.Count];
+                for (int i = 0; i < _free.Length; i++)
+                    all[_free[i]] = free[i];
+                return all;
+            }
+
+            private static Vector2D Displacement(double[] p, Vector2D pixel)
+            {
+                var ray = new Vector2D((pixel.X - p[2]) / p[0], (pixel.Y - p[3]) / p[1]);
+                Vector2D off = BrownDistortion.FromOpenCv(p.AsSpan(4, 8)).Distort(ray, stackalloc double[4], stackalloc double[16]) - ray;
+                return new Vector2D(p[0] * off.X, p[1] * off.Y);
+            }
+
+            private static Fit? From(double[] parameters, IReadOnlyList<BoardView> views, int width, int height, int[] free)
+            {
                 if (!CameraParameters.TryMakeCamera(parameters, width, height, out LensCamera? guess))
                     return null;
                 var boards = new Pose[views.Count];
@@ -165,29 +269,17 @@ namespace LaserTracking.Calibration
                 }
 
                 // The rational model has long flat valleys; from the common one it starts in the right one.
-                var state = new BundleState(new[] { parameters }, new[] { Pose.Identity }, boards);
-                BundleState? solved = state;
+                BundleState? solved = new BundleState(new[] { (double[])parameters.Clone() }, new[] { Pose.Identity }, boards);
                 NormalEquations? equations = null;
-                foreach (LensModel step in model == LensModel.Rational8 ? new[] { LensModel.Brown5, model } : new[] { model })
+                int[] common = CameraParameters.Free(LensModel.Brown5);
+                foreach (int[] step in free.Length > common.Length ? new[] { common, free } : new[] { free })
                 {
-                    BundleCamera[] cameras = { new BundleCamera(width, height, CameraParameters.Free(step), false) };
-                    solved = BundleAdjuster.Solve(cameras, observations, solved, out equations);
+                    solved = BundleAdjuster.Solve(new[] { new BundleCamera(width, height, step, false) }, observations, solved, out equations);
                     if (solved == null)
                         return null;
                 }
 
-                if (!CameraParameters.TryMakeCamera(solved.Lenses[0], width, height, out LensCamera? camera))
-                    return null;
-                return new Fit(solved, equations!, CameraParameters.Free(model), camera!, BundleAdjuster.BoardRmsPx(observations, new[] { camera! }, solved));
-            }
-
-            public double[] StandardDeviations(double sigmaPx)
-            {
-                double[] free = _equations.StandardDeviations(sigmaPx);
-                var all = new double[CameraParameters.Count];
-                for (int i = 0; i < _free.Length; i++)
-                    all[_free[i]] = free[i];
-                return all;
+                return CameraParameters.TryMakeCamera(solved.Lenses[0], width, height, out LensCamera? camera) ? new Fit(solved, equations!, free, camera!, observations) : null;
             }
         }
     }

@@ -99,15 +99,25 @@ namespace LaserTracking.Calibration
             }
         }
 
-        /// <summary>
-        /// Standard deviations of the cameras' unknowns for measurement noise of sigma px along each axis. What is not determined gets a
-        /// huge number, never infinity.
-        /// </summary>
+        /// <summary>Standard deviations of the cameras' unknowns for measurement noise of sigma px along each axis.</summary>
         public double[] StandardDeviations(double sigmaPx)
         {
+            double[,] covariance = Covariance(sigmaPx);
             var deviations = new double[_cameraUnknowns];
+            for (int i = 0; i < deviations.Length; i++)
+                deviations[i] = Math.Sqrt(covariance[i, i]);
+            return deviations;
+        }
+
+        /// <summary>
+        /// Of the cameras' unknowns, for measurement noise of sigma px along each axis. What is not determined gets huge numbers, never
+        /// infinity.
+        /// </summary>
+        public double[,] Covariance(double sigmaPx)
+        {
+            var covariance = new double[_cameraUnknowns, _cameraUnknowns];
             if (_cameraUnknowns == 0)
-                return deviations;
+                return covariance;
             Reduce(1e-12, out Matrix<double> reduced, out _, out _);
 
             // Scaled to a diagonal of ones: what is left small is a combination that the views do not determine.
@@ -117,14 +127,22 @@ namespace LaserTracking.Calibration
                 scaled[i, j] = reduced[i, j] / Math.Sqrt(Math.Max(double.Epsilon, _u[i, i] * _u[j, j]));
             SymmetricEigen.Decompose(scaled, out double[] values, out double[,] vectors);
             for (int i = 0; i < _cameraUnknowns; i++)
+            for (int j = 0; j < _cameraUnknowns; j++)
             {
-                double variance = 0;
+                double sum = 0;
                 for (int k = 0; k < _cameraUnknowns; k++)
-                    variance += vectors[i, k] * vectors[i, k] / Math.Max(values[k], 1e-14);
-                deviations[i] = sigmaPx * Math.Sqrt(variance / Math.Max(double.Epsilon, _u[i, i]));
+                    sum += vectors[i, k] * vectors[j, k] / Math.Max(values[k], 1e-14);
+                covariance[i, j] = sigmaPx * sigmaPx * sum / Math.Max(double.Epsilon, Math.Sqrt(_u[i, i] * _u[j, j]));
             }
 
-            return deviations;
+            return covariance;
+        }
+
+        /// <summary>Standard deviation of a board's tilt about the camera's x and y, the larger one, radians, were the cameras known.</summary>
+        public double TiltDeviation(int board, double sigmaPx)
+        {
+            Matrix<double> inverse = Damped(_v[board], 1e-12).Inverse();
+            return sigmaPx * Math.Sqrt(Math.Max(inverse[0, 0], inverse[1, 1]));
         }
 
         private Matrix<double>[] Reduce(double damping, out Matrix<double> reduced, out Vector<double> right, out Vector<double>[] boardSteps)

@@ -27,7 +27,15 @@ namespace LaserTracking.Patterns
         /// <param name="halfWindowPx">Half width of the window without the centre, 1 to 15 px.</param>
         /// <param name="positionPx">The corner within about half a window; changed only on success.</param>
         /// <returns>False when it runs away by more than the window, leaves the picture, or there are no two edges.</returns>
-        public static bool TryRefine(Image gray, int halfWindowPx, ref Vector2D positionPx)
+        public static bool TryRefine(Image gray, int halfWindowPx, ref Vector2D positionPx) => TryRefine(gray, halfWindowPx, 0, default, ref positionPx);
+
+        /// <summary>The same where the contrast is known to grow across the window, which else draws a blurred corner towards the stronger side.</summary>
+        /// <param name="gray">The picture at full resolution.</param>
+        /// <param name="halfWindowPx">Half width of the window without the centre, 1 to 15 px.</param>
+        /// <param name="middleLevel">The grey in the middle between light and dark everywhere.</param>
+        /// <param name="growthPerPx">By which share the contrast grows a pixel.</param>
+        /// <param name="positionPx">As above.</param>
+        public static bool TryRefine(Image gray, int halfWindowPx, double middleLevel, Vector2D growthPerPx, ref Vector2D positionPx)
         {
             if (gray.Format != PixelFormat.Gray8)
                 throw new ArgumentException($"a picture of format {gray.Format} is not grey", nameof(gray));
@@ -41,7 +49,10 @@ namespace LaserTracking.Patterns
             Vector2D at = positionPx;
             for (int iteration = 0; iteration < Iterations; iteration++)
             {
-                if (!TryCut(gray, at, halfWindowPx + 1, patch) || !TrySolve(patch, weights, halfWindowPx, out Vector2D move))
+                if (!TryCut(gray, at, halfWindowPx + 1, patch))
+                    return false;
+                Level(patch, halfWindowPx + 1, (float)middleLevel, growthPerPx);
+                if (!TrySolve(patch, weights, halfWindowPx, out Vector2D move))
                     return false;
                 at += move;
                 if (!((at - positionPx).Length <= halfWindowPx))
@@ -73,6 +84,18 @@ namespace LaserTracking.Patterns
             }
 
             return true;
+        }
+
+        /// <summary>Divides by the contrast's growth, so that the same contrast is left everywhere.</summary>
+        private static void Level(float* patch, int half, float middle, Vector2D growth)
+        {
+            if (growth.X == 0 && growth.Y == 0)
+                return;
+            for (int y = -half; y <= half; y++)
+            {
+                for (int x = -half; x <= half; x++, patch++)
+                    *patch = (*patch - middle) * (float)Math.Exp(-growth.X * x - growth.Y * y);
+            }
         }
 
         private static bool TrySolve(float* patch, float* weights, int half, out Vector2D move)

@@ -28,6 +28,10 @@ namespace LaserTracking.Patterns
         /// <summary>Contrast of a point as a share of that around it: less is no screen, or not all of the time.</summary>
         private const double LeastRelativeContrast = 0.72;
 
+        /// <summary>Points along both ways from whose contrasts their growth is taken, how many of them it takes, and how alike they must be.</summary>
+        private const int GrowthReach = 3, LeastForGrowth = 12;
+        private const double MostUnlike = 0.3;
+
         private readonly ScreenBoard _board;
         private readonly SignalPicture _signal;
         private readonly double _sign;
@@ -114,7 +118,7 @@ namespace LaserTracking.Patterns
             bool isWhite = ScreenBoard.IsWhite(index % _board.Columns, index / _board.Columns);
             double sign = isWhite ? _sign : -_sign;
             Vector2D corner = expected;
-            bool isFound = CornerRefiner.TryRefine(_signal.Full, window, ref corner) && (corner - expected).Length <= LargestMiss * cell;
+            bool isFound = CornerRefiner.TryRefine(_signal.Full, window, SignalPicture.Middle, Growth(index), ref corner) && (corner - expected).Length <= LargestMiss * cell;
             double contrast = sign * Contrast(isFound ? corner : expected, along, across, out double least);
             if (contrast < LeastContrast || least * sign < 0)
                 return new ScreenPoint(place, ScreenPointState.Covered, expected, contrast, 0, 0);
@@ -199,6 +203,41 @@ namespace LaserTracking.Patterns
 
             // The slope over two pixels, read between pixels, has a blur of its own.
             return Math.Sqrt(Math.Max(0, sigma * sigma - 0.5));
+        }
+
+        /// <summary>
+        /// By which share the contrast grows a pixel at a point, after the last round: a plane through the logarithms around it. Lamps and
+        /// vignetting change it over the picture, by the camera's gamma. Zero where too little is known.
+        /// </summary>
+        private Vector2D Growth(int index)
+        {
+            ScreenPoint here = _points[index];
+            if (!(here.Contrast > 0))
+                return default;
+            int column = index % _board.Columns, row = index / _board.Columns, count = 0;
+            double x = 0, y = 0, level = 0, xx = 0, xy = 0, yy = 0, xLevel = 0, yLevel = 0;
+            for (int r = Math.Max(0, row - GrowthReach); r <= Math.Min(_board.Rows - 1, row + GrowthReach); r++)
+            {
+                for (int c = Math.Max(0, column - GrowthReach); c <= Math.Min(_board.Columns - 1, column + GrowthReach); c++)
+                {
+                    ScreenPoint point = _points[r * _board.Columns + c];
+                    if (point.State != ScreenPointState.Measured || !(point.Contrast > 0) || !(Math.Abs(Math.Log(point.Contrast / here.Contrast)) < MostUnlike))
+                        continue;
+                    Vector2D off = point.ImagePx - here.ImagePx;
+                    double logarithm = Math.Log(point.Contrast);
+                    count++;
+                    (x, y, level) = (x + off.X, y + off.Y, level + logarithm);
+                    (xx, xy, yy) = (xx + off.X * off.X, xy + off.X * off.Y, yy + off.Y * off.Y);
+                    (xLevel, yLevel) = (xLevel + off.X * logarithm, yLevel + off.Y * logarithm);
+                }
+            }
+
+            if (count < LeastForGrowth)
+                return default;
+            (xx, xy, yy) = (xx - x * x / count, xy - x * y / count, yy - y * y / count);
+            (xLevel, yLevel) = (xLevel - x * level / count, yLevel - y * level / count);
+            double determinant = xx * yy - xy * xy;
+            return determinant > 0.01 * xx * yy ? new Vector2D((yy * xLevel - xy * yLevel) / determinant, (xx * yLevel - xy * xLevel) / determinant) : default;
         }
 
         private double Around(int index)

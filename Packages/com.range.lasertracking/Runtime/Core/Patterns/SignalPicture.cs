@@ -12,7 +12,10 @@ namespace LaserTracking.Patterns
     {
         public const int MostLevels = 6;
 
-        private const int Middle = 128, Swing = 120;
+        /// <summary>The level of no signal.</summary>
+        public const int Middle = 128;
+
+        private const int Swing = 120;
 
         /// <summary>Share of the pixels that may be brighter or darker than the range holds: lamps switched, a reflection.</summary>
         private const double ClippedShare = 0.002;

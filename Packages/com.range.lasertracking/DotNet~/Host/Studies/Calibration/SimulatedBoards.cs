@@ -52,6 +52,28 @@ namespace LaserTracking.Host.Studies.Calibration
             return pairs.Count == count ? pairs : throw new InvalidOperationException("the cameras share no view");
         }
 
+        /// <summary>Views of camera 0 alone, all boards turned away from one direction by at most half the spread.</summary>
+        /// <param name="count">Number of views.</param>
+        /// <param name="sigmaPx">Noise of each corner along each axis.</param>
+        /// <param name="leanDegrees">Of that direction against the camera's axis.</param>
+        /// <param name="spreadDegrees">Largest angle between two boards; the first four reach it.</param>
+        public List<BoardView> Alike(int count, double sigmaPx, double leanDegrees, double spreadDegrees)
+        {
+            double towards = _random.NextDouble() * 2 * Math.PI;
+            Rotation3D lean = Tilt(towards, leanDegrees);
+            var views = new List<BoardView>();
+            for (int tries = 0; views.Count < count && tries < MostTries; tries++)
+            {
+                bool isOutermost = views.Count < 4;
+                double direction = isOutermost ? views.Count * Math.PI / 2 : _random.NextDouble() * 2 * Math.PI;
+                double angle = spreadDegrees / 2 * (isOutermost ? 1 : Math.Sqrt(_random.NextDouble()));
+                if (TryView("view", views.Count, Truth.Left, Place(lean * Tilt(direction, angle)), sigmaPx, out BoardView? view))
+                    views.Add(view!);
+            }
+
+            return views.Count == count ? views : throw new InvalidOperationException("the camera does not see the board");
+        }
+
         /// <summary>The pairs as a file of stored corners.</summary>
         public string Format(IReadOnlyList<BoardPair> pairs)
         {
@@ -76,8 +98,15 @@ namespace LaserTracking.Host.Studies.Calibration
 
         private Pose RandomPose()
         {
-            double angle = _random.NextDouble() * 40 * Math.PI / 180, direction = _random.NextDouble() * 2 * Math.PI;
-            Rotation3D tilt = Rotation3D.AboutAxis(new Vector3D(Math.Cos(direction), Math.Sin(direction), 0), angle), roll = Rotation3D.AboutAxis(new Vector3D(0, 0, 1), Even(0.3));
+            double angle = _random.NextDouble() * 40, direction = _random.NextDouble() * 2 * Math.PI;
+            return Place(Tilt(direction, angle));
+        }
+
+        private static Rotation3D Tilt(double direction, double degrees) => Rotation3D.AboutAxis(new Vector3D(Math.Cos(direction), Math.Sin(direction), 0), degrees * Math.PI / 180);
+
+        private Pose Place(Rotation3D tilt)
+        {
+            Rotation3D roll = Rotation3D.AboutAxis(new Vector3D(0, 0, 1), Even(0.3));
             double depth = 1200 + _random.NextDouble() * 1400;
             Rotation3D rotation = tilt * roll;
             var middle = new Vector3D(Even(0.8) * depth, Even(0.45) * depth, depth);
