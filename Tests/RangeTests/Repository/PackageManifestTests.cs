@@ -51,8 +51,23 @@ namespace LaserTracking.Repository
         public void Manifest_WhatItNames_Exists()
         {
             Assert.That(File.Exists(RepositoryFiles.Absolute(RepositoryFiles.Package + "/LICENSE.md")), Is.True);
-            foreach (JToken sample in Manifest["samples"] as JArray ?? new JArray())
-                Assert.That(RepositoryFiles.IsFolder(RepositoryFiles.Package + "/" + (string)sample["path"]!), Is.True, (string)sample["path"]!);
+        }
+
+        [Test]
+        public void Samples_AreTheFoldersThere_WithNameDescriptionReadmeAndScene()
+        {
+            var samples = (JArray)Manifest["samples"]!;
+            string[] folders = Directory.GetDirectories(RepositoryFiles.Absolute(RepositoryFiles.Samples)).Select(folder => "Samples~/" + Path.GetFileName(folder)).ToArray();
+            Assert.That(samples.Select(sample => (string?)sample["path"]), Is.EquivalentTo(folders));
+
+            // The name becomes a folder below Assets/Samples.
+            Assert.That(samples.Select(sample => (string?)sample["displayName"]), Is.Unique.And.All.Match("^[A-Za-z][A-Za-z0-9 -]*$"));
+            Assert.That(samples.Select(sample => (string?)sample["description"]), Is.All.Not.Null.And.All.Not.Empty);
+            foreach (string folder in folders.Select(folder => RepositoryFiles.Absolute(RepositoryFiles.Package + "/" + folder)))
+            {
+                Assert.That(File.Exists(Path.Combine(folder, "README.md")), Is.True, folder);
+                Assert.That(Directory.GetFiles(folder, "*.unity"), Has.Length.EqualTo(1), folder);
+            }
         }
     }
 }

@@ -11,15 +11,18 @@ namespace LaserTracking.Repository
         public const string Package = "Packages/com.range.lasertracking";
         public const string Core = Package + "/Runtime/Core";
 
+        /// <summary>Hidden from Unity until somebody imports one: then it is copied into Assets, GUIDs and all.</summary>
+        public const string Samples = Package + "/Samples~";
+
         private static readonly string[] TextExtensions =
         {
             ".cs", ".csproj", ".slnx", ".props", ".json", ".asmdef", ".md", ".meta", ".rsp", ".sh", ".yml", ".unity", ".asset", ".mat", ".prefab", ".txt",
         };
 
-        /// <summary>Files and folders that Unity imports, .meta files left out.</summary>
-        public static IReadOnlyList<string> Assets { get; } = Imported(Package).Concat(Imported("Assets")).Where(path => !path.EndsWith(".meta", StringComparison.Ordinal)).ToList();
+        /// <summary>Files and folders that Unity imports, with the samples; .meta files left out.</summary>
+        public static IReadOnlyList<string> Assets { get; } = Imported().Where(path => !path.EndsWith(".meta", StringComparison.Ordinal)).ToList();
 
-        public static IReadOnlyList<string> Metas { get; } = Imported(Package).Concat(Imported("Assets")).Where(path => path.EndsWith(".meta", StringComparison.Ordinal)).ToList();
+        public static IReadOnlyList<string> Metas { get; } = Imported().Where(path => path.EndsWith(".meta", StringComparison.Ordinal)).ToList();
 
         /// <summary>C# that Unity compiles.</summary>
         public static IReadOnlyList<string> UnitySources { get; } = Assets.Where(path => path.EndsWith(".cs", StringComparison.Ordinal)).ToList();
@@ -45,6 +48,8 @@ namespace LaserTracking.Repository
         public static IEnumerable<string> YamlFiles() =>
             TextFiles().Where(path => path.EndsWith(".unity", StringComparison.Ordinal) || path.EndsWith(".asset", StringComparison.Ordinal)
                 || path.EndsWith(".mat", StringComparison.Ordinal) || path.EndsWith(".prefab", StringComparison.Ordinal));
+
+        private static IEnumerable<string> Imported() => new[] { Package, Samples, "Assets" }.SelectMany(Imported);
 
         private static IEnumerable<string> Imported(string root) =>
             IsFolder(root) ? Below(root, name => name[0] != '.' && name[name.Length - 1] != '~', withFolders: true) : Enumerable.Empty<string>();

@@ -92,6 +92,18 @@ namespace LaserTracking.Repository
         }
 
         [TestCaseSource(nameof(Files))]
+        public void Yaml_References_LeadNowhereThatMayBeMissing(string path)
+        {
+            // A sample needs only the package, which needs nothing else; this project has both but not the samples.
+            string home = IsOfASample(path) ? string.Join("/", path.Split('/').Take(4)) + "/" : path.Split('/')[0] + "/";
+            IEnumerable<string> outside = YamlDocument.Read(path).SelectMany(document => document.References)
+                .Where(reference => AssetOfGuid.ContainsKey(reference.Guid)).Select(reference => AssetOfGuid[reference.Guid])
+                .Where(asset => IsOfASample(asset) || !asset.StartsWith(RepositoryFiles.Package + "/", StringComparison.Ordinal))
+                .Where(asset => !asset.StartsWith(home, StringComparison.Ordinal) || IsOfASample(asset) != IsOfASample(path));
+            Assert.That(outside, Is.Empty);
+        }
+
+        [TestCaseSource(nameof(Files))]
         public void Yaml_Scripts_AreClassesNamedAsTheirFiles(string path)
         {
             foreach (YamlDocument document in YamlDocument.Read(path).Where(document => document.ClassId == 114))
@@ -158,6 +170,8 @@ namespace LaserTracking.Repository
             foreach (Match entry in entries)
                 Assert.That(AssetOfGuid.GetValueOrDefault(entry.Groups[2].Value), Is.EqualTo(entry.Groups[1].Value));
         }
+
+        private static bool IsOfASample(string path) => path.StartsWith(RepositoryFiles.Samples + "/", StringComparison.Ordinal);
 
         private static IEnumerable<string> FamilyProblems(YamlDocument transform, Dictionary<long, YamlDocument> byId)
         {

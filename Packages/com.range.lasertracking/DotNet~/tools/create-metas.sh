@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Gives every file and folder that Unity sees and that has no .meta yet one. The GUID is derived from the path at birth and
-# never changes afterwards: scenes refer to scripts through it, so move a file together with its .meta.
+# Gives every file and folder that Unity sees and that has no .meta yet one, the samples' too, which it sees once imported. The GUID
+# is derived from the path at birth and never changes afterwards: scenes refer to scripts through it, so move a file together with
+# its .meta.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../../../.." && pwd)
 cd "$root"
-find Packages/com.range.lasertracking Assets -mindepth 1 \( -name '.*' -o -name '*~' \) -prune -o -print 2>/dev/null | LC_ALL=C sort | while read -r path; do
+find Packages/com.range.lasertracking 'Packages/com.range.lasertracking/Samples~' Assets -mindepth 1 \( -name '.*' -o -name '*~' \) -prune -o -print 2>/dev/null | LC_ALL=C sort | while read -r path; do
   case "$path" in *.meta) continue ;; esac
   meta="$path.meta"
   [ -e "$meta" ] && continue

@@ -13,7 +13,7 @@ namespace LaserTracking.Unity
 {
     /// <summary>
     /// Records what a <see cref="LaserRange"/> sees: both cameras' frames as the detector gets them, calibration, scene and the poses of
-    /// what moves, in a folder that './range replay' runs again. Writing has threads of its own; a disk that does not keep up costs
+    /// what moves, in a folder that './range replay' runs again. Writing has threads of its own; with cameras, a disk that does not keep up costs
     /// frames of the recording, which is said, never the game or a shot.
     /// </summary>
     [DisallowMultipleComponent]
@@ -100,7 +100,7 @@ namespace LaserTracking.Unity
                     SceneTimeZeroUs = asset.SceneTimeZeroUs,
                 };
                 SessionFolder = NextFolder();
-                _writer = new SessionLogWriter(SessionFolder, log, ScreenSettings(screen, calibration), hands == null || !_recordsHands ? null : Settings(hands),
+                _writer = new SessionLogWriter(SessionFolder, log, ScreenSettings(asset, screen, calibration), hands == null || !_recordsHands ? null : Settings(asset, hands),
                     calibration == null ? null : RangeCalibrationFile.Format(calibration), scene);
                 _toldLost = 0;
                 _isToldProblem = false;
@@ -152,9 +152,9 @@ namespace LaserTracking.Unity
                 End(true);
         }
 
-        private FrameRecorderSettings ScreenSettings(IFrameSource source, RangeCalibration? calibration)
+        private FrameRecorderSettings ScreenSettings(FrameSourceAsset asset, IFrameSource source, RangeCalibration? calibration)
         {
-            FrameRecorderSettings settings = Settings(source);
+            FrameRecorderSettings settings = Settings(asset, source);
             settings.JpegQuality = _jpegQuality;
             if (!_screenOnly)
                 return settings;
@@ -165,7 +165,9 @@ namespace LaserTracking.Unity
             return settings;
         }
 
-        private static FrameRecorderSettings Settings(IFrameSource source) => new FrameRecorderSettings { FramesPerSecond = source.Info.NominalFramesPerSecond };
+        /// <summary>A camera does not wait for the disk; what is played can.</summary>
+        private static FrameRecorderSettings Settings(FrameSourceAsset asset, IFrameSource source) =>
+            new FrameRecorderSettings { FramesPerSecond = source.Info.NominalFramesPerSecond, WaitsWhenFull = !asset.IsLive };
 
         /// <summary>Without a scene the frames are recorded all the same.</summary>
         private SceneModel? Describe()

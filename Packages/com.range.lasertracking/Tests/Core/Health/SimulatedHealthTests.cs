@@ -47,6 +47,7 @@ namespace LaserTracking.Health
         }
 
         [Test]
+        [Category("Long")]
         public void PictureMonitor_NudgedCamera_IsMovedByThatMuch()
         {
             SimulationScenario scenario = Room(30);

@@ -84,6 +84,7 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        [Category("Long")]
         public void Dot_ThatRestsAMinuteWhileEverythingMoves_IsOneShotAndStaysADot()
         {
             SimulationScenario scenario = MovingRange.Scenario(7, 63);
