@@ -111,7 +111,7 @@ namespace LaserTracking.Commands
         private static (int ExitCode, string Output, string Error) Run(TemporaryFolder folder, string noise, params string[] options)
         {
             string corners = folder.File("corners.json");
-            CommandLine.Run("calibrate", "simulate", "--views", "8", "--noise", noise, "--out", corners);
+            CommandLine.Run("calibrate", "simulate", "--views", "20", "--noise", noise, "--out", corners);
             return CommandLine.Run(["calibrate", "board", "--corners", corners, "--out", folder.File("camera.json"), .. options]);
         }
     }
