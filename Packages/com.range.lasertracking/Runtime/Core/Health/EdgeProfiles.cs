@@ -83,7 +83,7 @@ namespace LaserTracking.Health
 
                 // Around a corner there is no single edge.
                 bool isStraight = ((before + after) * 0.5 - Places[i]).Length < BinPx;
-                _isInPicture[i] = isStraight && IsInside(i, -Inside, width, height) && IsInside(i, Outside, width, height);
+                _isInPicture[i] = isStraight && IsInside(Places[i], i, -Inside, width, height) && IsInside(Places[i], i, Outside, width, height);
                 usable += _isInPicture[i] ? 1 : 0;
             }
 
@@ -106,9 +106,11 @@ namespace LaserTracking.Health
         /// <param name="image">The picture.</param>
         /// <param name="probe">Which.</param>
         /// <param name="isReference">What is there now is what to compare with from now on.</param>
-        public bool TryFill(Image image, int probe, bool isReference)
+        /// <param name="offset">How far from its place it is read, bins.</param>
+        public bool TryFill(Image image, int probe, bool isReference, Vector2D offset)
         {
-            if (!_isInPicture[probe])
+            Vector2D place = Places[probe] + offset * BinPx;
+            if (!_isInPicture[probe] || !IsInside(place, probe, -Inside, image.Width, image.Height) || !IsInside(place, probe, Outside, image.Width, image.Height))
                 return false;
             if (isReference)
                 _ceilings[probe] = Surroundings(image, probe) + Ceiling;
@@ -118,7 +120,7 @@ namespace LaserTracking.Health
             int ceiling = _ceilings[probe];
             for (int i = 0; i < Length; i++)
             {
-                Vector2D p = Places[probe] + out1 * (i - Inside) - right * ((Lines - 1) / 2.0);
+                Vector2D p = place + out1 * (i - Inside) - right * ((Lines - 1) / 2.0);
                 int sum = 0;
                 for (int line = 0; line < Lines; line++, p += right)
                     sum += Math.Min(ceiling, (int)first[(long)(p.Y + 0.5) * image.Stride + (long)(p.X + 0.5) * step]);
@@ -149,10 +151,10 @@ namespace LaserTracking.Health
             return sum / count;
         }
 
-        private bool IsInside(int probe, int bin, int width, int height)
+        private bool IsInside(Vector2D place, int probe, int bin, int width, int height)
         {
             double half = Lines / 2.0 * BinPx;
-            Vector2D p = Places[probe] + Normals[probe] * (bin * BinPx), a = p + _along[probe] * half, b = p - _along[probe] * half;
+            Vector2D p = place + Normals[probe] * (bin * BinPx), a = p + _along[probe] * half, b = p - _along[probe] * half;
             return Math.Min(a.X, b.X) >= 0 && Math.Min(a.Y, b.Y) >= 0 && Math.Max(a.X, b.X) <= width - 1 && Math.Max(a.Y, b.Y) <= height - 1;
         }
     }

@@ -6,10 +6,9 @@ using LaserTracking.Session;
 namespace LaserTracking.Health
 {
     /// <summary>
-    /// Whether the camera was bumped or drifts. Where the screen is known its edges tell, whatever is projected; otherwise most blocks of
-    /// the picture that have something to see must be displaced by the same amount, at once and for good. Either must last: things that
-    /// move displace a part only, or not for long. A picture that fills the view and moves on its own cannot be told from a camera that
-    /// does: that is said instead.
+    /// Whether the camera was bumped or drifts. Where the screen is known its edges tell, whatever is projected; otherwise the room that
+    /// is seen beside the projected picture. Either must last: things that move displace a part only, or not for long. Where no room
+    /// is seen, a picture that moves on its own cannot be told from a camera that does: that is said instead.
     /// </summary>
     internal sealed class MotionCheck
     {
@@ -24,8 +23,8 @@ namespace LaserTracking.Health
         /// <summary>Looks in a row that must agree, and looks without an answer until the picture to compare with is renewed.</summary>
         private const int LooksToAgree = 4, LooksToRenew = 10;
 
-        /// <summary>After the whole view was seen to move on its own, a step is trusted again when it has rested for so long.</summary>
-        private const long ContentUs = 10_000_000;
+        /// <summary>A view that moves as a whole without coming to rest is spoken of after this time.</summary>
+        private const long ContinuingUs = 1_600_000;
 
         private const double StableBins = 0.3, RestingShare = 0.1;
 
@@ -33,9 +32,8 @@ namespace LaserTracking.Health
         private const double AgainFactor = 2;
 
         private readonly PictureMonitorSettings _settings;
-        private readonly BlockMotion _blocks = new BlockMotion();
+        private readonly RoomMotion _room = new RoomMotion();
         private readonly EdgeMotion _edges = new EdgeMotion();
-        private readonly StepEvidence _evidence = new StepEvidence();
         private Vector2D[] _outlinePx = Array.Empty<Vector2D>();
         private Vector2D _last;
         private Vector2D _restingAt;
@@ -48,8 +46,8 @@ namespace LaserTracking.Health
         private bool _byEdges;
         private long _sinceUs = long.MinValue;
         private long _saidUs = long.MinValue;
-        private long _contentUs = long.MinValue;
         private bool _saidUnclear;
+        private bool _saidMoved;
 
         public MotionCheck(PictureMonitorSettings settings) => _settings = settings;
 
@@ -65,35 +63,33 @@ namespace LaserTracking.Health
             _hasReference = false;
             _frame = _stable = _resting = _unanswered = 0;
             _said = default;
-            _sinceUs = _contentUs = long.MinValue;
-            _evidence.Reset();
+            _sinceUs = long.MinValue;
+            _room.Reset();
         }
 
         public void Update(Image image, HealthWriter health)
         {
             if (_frame == 0 && !_hasReference)
                 _byEdges = _outlinePx.Length > 2 && _edges.TryLay(_outlinePx, image.Width, image.Height);
-            if (!(_byEdges ? _edges.Look(image, _frame, FramesALook, !_hasReference) : _blocks.Look(image, _frame, FramesALook, _hasReference)))
+            if (!(_byEdges ? _edges.Look(image, _frame, FramesALook, !_hasReference) : _room.Look(image, _frame, FramesALook)))
                 return;
             if (++_frame < FramesALook)
                 return;
             _frame = 0;
-            if (_hasReference)
+            if (_hasReference || !_byEdges)
                 Judge(health);
-            else if (!_byEdges)
-                _blocks.Renew();
             _hasReference = true;
         }
 
         private void Judge(HealthWriter health)
         {
             Vector2D shift;
-            double largest;
-            if (!(_byEdges ? _edges.TryAgree(out shift, out largest) : _blocks.TryAgree(out shift, out largest)))
+            double largest = 0;
+            if (!(_byEdges ? _edges.TryAgree(out shift, out largest) : _room.TryAgree(out shift)))
             {
                 _stable = _resting = 0;
                 if (++_unanswered >= LooksToRenew)
-                    Renew();
+                    Renew(default, true);
                 return;
             }
 
@@ -101,16 +97,12 @@ namespace LaserTracking.Health
             _stable = (shift - _last).Length <= StableBins ? _stable + 1 : 0;
             _last = shift;
 
-            // Blocks see a long way less exactly: what lies askew in them moves along the other axis, too.
+            // Cells see a long way less exactly than edges do a short one.
             _resting = (shift - _restingAt).Length <= Math.Max(StableBins, _byEdges ? 0 : RestingShare * shift.Length) ? _resting + 1 : 0;
             if (_resting == 0)
                 _restingAt = shift;
             long now = health.TimeUs;
-
-            // A look in the middle of a motion is no rest.
-            if (!_byEdges && !(_blocks.IsDisputed && shift.Length < _settings.ShiftPx))
-                _evidence.Add(now, shift);
-            double least = _settings.ShiftPx * (_said.Equals(default) ? 1 : AgainFactor);
+            double least = _settings.ShiftPx * (_saidMoved ? AgainFactor : 1);
             if (Math.Max(largest - _said.Length, (shift - _said).Length) < least)
             {
                 _sinceUs = long.MinValue;
@@ -119,54 +111,57 @@ namespace LaserTracking.Health
 
             if (_sinceUs == long.MinValue || now < _sinceUs)
                 _sinceUs = now;
+            bool isCamera = _byEdges || _room.IsCamera;
 
             // What has come to rest is said with its whole length; what creeps on is said in time.
-            bool isDue = _resting >= LooksToAgree || (_byEdges ? _stable >= LooksToAgree && now - _sinceUs >= GrowingUs : _evidence.IsContinuing);
-            if (isDue && !_byEdges && !IsStepOfTheCamera(health))
+            bool isDue = _resting >= LooksToAgree || (isCamera ? _stable >= LooksToAgree && now - _sinceUs >= GrowingUs : now - _sinceUs >= ContinuingUs);
+            if (!isDue)
                 return;
-            if (!isDue || (_saidUs != long.MinValue && now - _saidUs < SayAgainUs && now >= _saidUs))
+            if (isCamera)
+                SayMoved(health, shift, Math.Max(largest, shift.Length));
+            else
+                SayUnclear(health, shift);
+        }
+
+        private void SayMoved(HealthWriter health, Vector2D shift, double largest)
+        {
+            long now = health.TimeUs;
+            if (_saidUs != long.MinValue && now - _saidUs < SayAgainUs && now >= _saidUs)
                 return;
             _saidUs = now;
             _said = shift;
+            _saidMoved = true;
             _sinceUs = long.MinValue;
-            int binPx = _byEdges ? _edges.BinPx : _blocks.BinPx;
-            double px = Math.Max(largest, shift.Length) * binPx;
+            int binPx = _byEdges ? _edges.BinPx : _room.BinPx;
             string way = shift.Length > 0.5 * largest
-                ? FormattableString.Invariant($"has shifted by {px:F1} px {Compass.Of(shift)} ({shift.X * binPx:+0.0;-0.0}, {shift.Y * binPx:+0.0;-0.0})")
-                : FormattableString.Invariant($"has turned, by {px:F1} px at its corners");
-            health.Say(HealthKind.CameraMoved, px, "the camera was moved: its picture " + way + "; calibrate again");
+                ? Way(shift, largest, binPx)
+                : FormattableString.Invariant($"has turned, by {largest * binPx:F1} px at its corners");
+            health.Say(HealthKind.CameraMoved, largest * binPx, "the camera was moved: its picture " + way + "; calibrate again");
             if (!_byEdges)
-                Renew();
+                Renew(shift, false);
         }
 
-        /// <summary>
-        /// Without a screen only a step from rest to rest is the camera's for sure. Anything else that moves the whole view may be the
-        /// picture: said once, and for a while not even a step is trusted.
-        /// </summary>
-        private bool IsStepOfTheCamera(HealthWriter health)
+        /// <summary>Said once: without a screen or a room in view nobody can tell whether the camera moves or what is shown.</summary>
+        private void SayUnclear(HealthWriter health, Vector2D shift)
         {
-            long now = health.TimeUs;
-            bool isContent = _contentUs != long.MinValue && now >= _contentUs && now - _contentUs < ContentUs;
-            if (_evidence.IsStep && !isContent)
-                return true;
-            _contentUs = now;
             if (!_saidUnclear)
-                health.Say(HealthKind.MotionUnclear, _last.Length * _blocks.BinPx, "all of the picture moves: whether that is what is shown or the camera cannot be told without a calibrated screen; calibrate, or let the camera see the room around the picture");
+                health.Say(HealthKind.MotionUnclear, shift.Length * _room.BinPx, "all of the picture " + Way(shift, shift.Length, _room.BinPx) + ": whether that is what is shown or the camera cannot be told without a calibrated screen; calibrate, or let the camera see the room around the picture");
             _saidUnclear = true;
-            Renew();
-            return false;
+            Renew(shift, false);
         }
 
-        private void Renew()
+        private static string Way(Vector2D shift, double length, int binPx) =>
+            FormattableString.Invariant($"has shifted by {length * binPx:F1} px {Compass.Of(shift)} ({shift.X * binPx:+0.0;-0.0;0.0}, {shift.Y * binPx:+0.0;-0.0;0.0})");
+
+        private void Renew(Vector2D shift, bool isContent)
         {
-            _evidence.Reset();
             _unanswered = _stable = _resting = 0;
             _said = default;
             _sinceUs = long.MinValue;
             if (_byEdges)
                 _hasReference = false;
             else
-                _blocks.Renew();
+                _room.Renew(shift, isContent);
         }
     }
 }

@@ -60,6 +60,9 @@ namespace LaserTracking.Detection
             return this;
         }
 
+        /// <summary>Green light at a place.</summary>
+        public float Gray(int x, int y) => _light[(3 * (y * Width + x)) + 1];
+
         public void Gray(int x, int y, float level)
         {
             int i = 3 * (y * Width + x);

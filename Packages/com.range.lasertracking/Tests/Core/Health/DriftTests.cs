@@ -19,6 +19,7 @@ namespace LaserTracking.Health
         [TestCase(0, 3, "down")]
         [TestCase(4, -4, "right and up")]
         [TestCase(-9, 0, "left")]
+        [TestCase(48, -30, "right and up")]
         public void PictureMonitor_BumpWhileThePictureSwitches_IsSaidOnceWithItsWay(int x, int y, string way)
         {
             MonitorRun run = Known(Screen);

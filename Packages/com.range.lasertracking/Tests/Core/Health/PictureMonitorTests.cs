@@ -131,7 +131,12 @@ namespace LaserTracking.Health
         public void PictureMonitor_PictureDisplacedForGood_TheCameraWasMoved(int x, int y)
         {
             var run = new MonitorRun();
-            run.Play(0, 180, (b, i) => MonitorRun.Room(b, i < 60 ? 0 : x, i < 60 ? 0 : y));
+            run.Play(0, 180, (b, i) =>
+            {
+                int dx = i < 60 ? 0 : x, dy = i < 60 ? 0 : y;
+                MonitorRun.Room(b, dx, dy);
+                b.Box(70 + dx, 60 + dy, 180, 120, 200, 220, 210);
+            });
             Assert.That(run.Kinds, Is.EqualTo(new[] { HealthKind.CameraMoved }));
             Assert.That(run.Said[0].Value, Is.EqualTo(new Vector2D(x, y).Length).Within(0.35));
             Assert.That(run.Said[0].Text, Does.Contain("calibrate again"));
