@@ -34,12 +34,22 @@ namespace LaserTracking.Patterns
         /// <param name="radiusPx">Radius of the window; it should see no edge but these two.</param>
         /// <param name="refined">Valid only when true is returned; its quality is the share of the window's variance that the model explains.</param>
         /// <returns>False when it runs away by more than half the radius, leaves the picture, or the fit loses its edges.</returns>
-        public static bool TryRefine(Image gray, in SaddlePoint start, double radiusPx, out SaddlePoint refined)
+        public static bool TryRefine(Image gray, in SaddlePoint start, double radiusPx, out SaddlePoint refined) =>
+            TryRefine(gray, start, radiusPx, 0, default, out refined);
+
+        /// <summary>The same where the contrast is known to grow across the window.</summary>
+        /// <param name="gray">The picture at full resolution, <see cref="PixelFormat.Gray8"/>.</param>
+        /// <param name="start">As above.</param>
+        /// <param name="radiusPx">As above.</param>
+        /// <param name="middleLevel">The grey in the middle between light and dark everywhere.</param>
+        /// <param name="growthPerPx">By which share the contrast grows a pixel.</param>
+        /// <param name="refined">As above.</param>
+        public static bool TryRefine(Image gray, in SaddlePoint start, double radiusPx, double middleLevel, Vector2D growthPerPx, out SaddlePoint refined)
         {
             if (gray.Format != PixelFormat.Gray8)
                 throw new ArgumentException($"a picture of format {gray.Format} is not grey", nameof(gray));
             refined = default;
-            var window = new Window(gray, start.PositionPx, radiusPx);
+            var window = new Window(gray, start.PositionPx, radiusPx, middleLevel, growthPerPx);
             if (!window.IsInside)
                 return false;
             double* p = stackalloc double[CrossingModel.Parameters];
@@ -138,10 +148,13 @@ namespace LaserTracking.Patterns
             public readonly bool IsInside;
             private readonly byte* _pixels;
             private readonly int _stride;
-            private readonly double _inverseSquare;
+            private readonly double _inverseSquare, _middle;
+            private readonly Vector2D _growth;
 
-            public Window(Image gray, Vector2D center, double radius)
+            public Window(Image gray, Vector2D center, double radius, double middle, Vector2D growth)
             {
+                _middle = middle;
+                _growth = growth;
                 Center = center;
                 _pixels = gray.Pixels;
                 _stride = gray.Stride;
@@ -169,7 +182,9 @@ namespace LaserTracking.Patterns
                 Variance = Math.Max(1e-9, squares - sum * Mean);
             }
 
-            public double Level(int x, int y) => _pixels[(long)y * _stride + x];
+            public double Level(int x, int y) => _growth.Equals(default)
+                ? _pixels[(long)y * _stride + x]
+                : (_pixels[(long)y * _stride + x] - _middle) * Math.Exp(-_growth.X * (x - Center.X) - _growth.Y * (y - Center.Y));
 
             public double Weight(double dx, double dy) => 1 - (dx * dx + dy * dy) * _inverseSquare;
         }

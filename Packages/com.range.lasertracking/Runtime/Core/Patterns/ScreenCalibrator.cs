@@ -16,8 +16,8 @@ namespace LaserTracking.Patterns
         /// <summary>Standard deviation of a measured coordinate before anything is known, px.</summary>
         private const double ExpectedSigmaPx = 0.1;
 
-        /// <summary>What blur and uneven light displace the points of one part of the picture by together, px: from simulated rooms 1 to 60 of the study.</summary>
-        private const double CommonSigmaPx = 0.01;
+        /// <summary>What blur and uneven light displace the points of one part of the picture by together, px, sharp and by the blur: from simulated rooms 1 to 120 of the study.</summary>
+        private const double CommonSigmaPx = 0.01, CommonSigmaOfBlur = 0.0025;
 
         /// <summary>A point further off than this many standard deviations and pixels does not belong to the plane.</summary>
         private const double LeftOutSigmas = 5, LeftOutPx = 1;
@@ -113,6 +113,7 @@ namespace LaserTracking.Patterns
             isLensFound = false;
             ScreenGeometry? screen = null;
             problem = string.Empty;
+            double common = CommonSigma();
             for (int round = 0; round < 4; round++)
             {
                 List<Vector2D> from = new List<Vector2D>(), to = new List<Vector2D>();
@@ -127,9 +128,9 @@ namespace LaserTracking.Patterns
                 Vector2D[] placesM = from.ToArray(), px = to.ToArray();
                 PlaneLens? found = null;
                 if (_lens == null)
-                    PlaneLens.TryFind(placesM, px, view.ImageWidth, view.ImageHeight, ExpectedSigmaPx, out found, CommonSigmaPx);
+                    PlaneLens.TryFind(placesM, px, view.ImageWidth, view.ImageHeight, ExpectedSigmaPx, out found, common);
                 isLensFound = found is { IsFound: true };
-                if (!ScreenGeometry.TryFit(px, placesM, _screenSizeM, found?.Camera ?? _lens, ExpectedSigmaPx, out screen, out problem, CommonSigmaPx))
+                if (!ScreenGeometry.TryFit(px, placesM, _screenSizeM, found?.Camera ?? _lens, ExpectedSigmaPx, out screen, out problem, common))
                     return null;
                 if (found != null)
                     screen = new ScreenGeometry(screen!.ImageToScreen, _screenSizeM, found.Camera, found.Uncertainty, isFocalLengthKnown: false);
@@ -138,6 +139,17 @@ namespace LaserTracking.Patterns
             }
 
             return screen;
+        }
+
+        /// <summary>By the middle one of the points' blurs.</summary>
+        private double CommonSigma()
+        {
+            var blurs = new List<double>();
+            foreach ((ScreenPoint point, _, _) in _points)
+                blurs.Add(point.BlurPx);
+            blurs.Sort();
+            double ofBlur = CommonSigmaOfBlur * blurs[blurs.Count / 2];
+            return Math.Sqrt(CommonSigmaPx * CommonSigmaPx + ofBlur * ofBlur);
         }
 
         /// <summary>Leaves the worst points out of the fit, at most a tenth of those left a round; false when none was.</summary>

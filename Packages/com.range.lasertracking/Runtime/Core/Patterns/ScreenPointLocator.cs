@@ -15,6 +15,9 @@ namespace LaserTracking.Patterns
         /// <summary>Shares of a cell: how far a point may lie from where it is expected, and where its four cells' colours are read.</summary>
         private const double LargestMiss = 0.2, Aside = 0.22;
 
+        /// <summary>Radius of the window in which the edges' model is fitted: a share of a cell, and at most so many pixels.</summary>
+        private const double Window = 0.25, LargestWindowPx = 20;
+
         /// <summary>Rings around a corner, shares of a cell, and places looked at on both together.</summary>
         private const double InnerRing = 0.13, OuterRing = 0.26;
         private const int RingSteps = 24;
@@ -119,6 +122,8 @@ namespace LaserTracking.Patterns
             double sign = isWhite ? _sign : -_sign;
             Vector2D corner = expected;
             bool isFound = CornerRefiner.TryRefine(_signal.Full, window, SignalPicture.Middle, Growth(index), ref corner) && (corner - expected).Length <= LargestMiss * cell;
+            if (isFound)
+                corner = Cross(corner, along, across, sign, cell, Growth(index));
             double contrast = sign * Contrast(isFound ? corner : expected, along, across, out double least);
             if (contrast < LeastContrast || least * sign < 0)
                 return new ScreenPoint(place, ScreenPointState.Covered, expected, contrast, 0, 0);
@@ -127,6 +132,25 @@ namespace LaserTracking.Patterns
             return symmetry >= 1 - LargestAsymmetry * grain * grain
                 ? new ScreenPoint(place, ScreenPointState.Measured, corner, contrast, symmetry, Blur(corner, along, across, contrast))
                 : new ScreenPoint(place, ScreenPointState.Unclear, expected, contrast, symmetry, 0);
+        }
+
+        /// <summary>
+        /// The place where the two blurred edges cross, by their model: steepness, which the refiner goes by, is drawn aside by uneven
+        /// light with the square of the blur. Where the model does not fit the corner stays.
+        /// </summary>
+        private Vector2D Cross(Vector2D corner, Vector2D along, Vector2D across, double sign, double cell, Vector2D growth)
+        {
+            Vector2D a = along * (1 / along.Length), b = across * (1 / across.Length);
+            bool isMirrored = Vector2D.Cross(a, b) < 0;
+            if (isMirrored)
+                (a, b) = (b, a);
+
+            // The model is bright where a point lies before one edge and behind the other.
+            if (sign > 0)
+                (a, b) = (b, a * -1);
+            double radius = Math.Max(SaddlePointRefiner.SmallestRadiusPx, Math.Min(LargestWindowPx, Window * cell));
+            var start = new SaddlePoint(corner, a, b, 2 * SignalPicture.Swing, 1);
+            return SaddlePointRefiner.TryRefine(_signal.Full, start, radius, SignalPicture.Middle, growth, out SaddlePoint refined) ? refined.PositionPx : corner;
         }
 
         /// <summary>What the nearest known points lie beside the plane's fit: lenses bend, walls are uneven.</summary>

@@ -15,7 +15,8 @@ namespace LaserTracking.Patterns
         /// <summary>The level of no signal.</summary>
         public const int Middle = 128;
 
-        private const int Swing = 120;
+        /// <summary>From the middle to the strongest signal, levels.</summary>
+        public const int Swing = 120;
 
         /// <summary>Share of the pixels that may be brighter or darker than the range holds: lamps switched, a reflection.</summary>
         private const double ClippedShare = 0.002;
