@@ -1,5 +1,7 @@
 using System.IO;
+using LaserTracking.Geometry;
 using LaserTracking.Host;
+using LaserTracking.Host.Sources;
 using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 
@@ -23,6 +25,54 @@ namespace LaserTracking.Commands
             Assert.That(code, Is.EqualTo(ExitCodes.CheckFailed));
             Assert.That(error, Does.Contain("over the limit of 0.1 px"));
             Assert.That(File.Exists(folder.File("other.json")), Is.False);
+        }
+
+        [Test]
+        public void Mapping_ReadAgain_MapsAsItWasFitted()
+        {
+            using var folder = new TemporaryFolder();
+            string file = Write(folder, out InfraredMapping fitted);
+            InfraredMapping read = InfraredMappings.Read(file);
+            for (int i = 0; i < 5; i++)
+            {
+                var px = new Vector2D(100 + (80 * i), 80 + (70 * i));
+                Assert.That(fitted.TryMap(px, out Vector2D expected) && read.TryMap(px, out Vector2D found) && (found - expected).Length < 1e-6, "one place");
+            }
+
+            Assert.That(read.IsFor(512, 512, 1280, 720) && !read.IsFor(640, 576, 1280, 720));
+            string text = File.ReadAllText(file);
+            foreach ((string from, string to, string words) in new[] { ("\"v\": 1", "\"v\": 9", "newer release"), ("\"kind\": \"mapping\"", "\"kind\": \"screen\"", "field kind"), ("H_rays", "H", "H_rays"), ("\"color\"", "\"colour\"", "color") })
+            {
+                File.WriteAllText(folder.File("broken.json"), text.Replace(from, to));
+                Assert.That(() => InfraredMappings.Read(folder.File("broken.json")), Throws.TypeOf<InputException>().With.Message.Contains(words), from);
+            }
+
+            CommandLine.AssertRefused("only the detector dual", "replay", file, "--mapping", file);
+        }
+
+        /// <summary>A file of 'calibrate mapping' for two made-up cameras.</summary>
+        private static string Write(TemporaryFolder folder, out InfraredMapping fitted)
+        {
+            var infrared = new LensCamera(new PinholeCamera(250, 250, 256, 255, 512, 512), BrownDistortion.None);
+            var color = new LensCamera(new PinholeCamera(610, 611, 640, 361, 1280, 720), BrownDistortion.None);
+            fitted = InfraredMapping.OfCameras(infrared, color, new Pose(new Vector3D(-32, -2, 4), Rotation3D.Identity), 2600);
+            var corners = new JObject { ["infrared"] = LensCameraJson.Format(infrared), ["color"] = LensCameraJson.Format(color) };
+            JArray from = new(), to = new();
+            for (int i = 0; i < 30; i++)
+            {
+                var px = new Vector2D(130 + (45 * (i % 6)), 140 + (55 * (i / 6)));
+                Assert.That(fitted.TryMap(px, out Vector2D at));
+                from.Add(new JArray(px.X, px.Y));
+                to.Add(new JArray(at.X, at.Y));
+            }
+
+            corners["infrared"]!["px"] = from;
+            corners["color"]!["px"] = to;
+            File.WriteAllText(folder.File("corners.json"), corners.ToString());
+            string file = folder.File("mapping.json");
+            (int code, _, string error) = CommandLine.Run("calibrate", "mapping", "--corners", folder.File("corners.json"), "--out", file);
+            Assert.That(code, Is.EqualTo(ExitCodes.Done), error);
+            return file;
         }
 
         [TestCase("{}", "field infrared is missing")]

@@ -88,8 +88,17 @@ namespace LaserTracking.Commands
             File.WriteAllText(points, "{\"image_px\":[[150,82],[1138,104],[1110,640],[182,622]],\"screen_m\":[[0,0],[3,0],[3,2],[0,2]]}");
             CommandLine.AssertRefused("the points that the calibration was fitted to", "calibrate", "verify", file, "--points", points);
             ScreenGeometry screen = RangeCalibrationFile.Read(file).Screen;
-            Vector2D middle = screen.ToImagePx(new Vector2D(1.5, 1)) + new Vector2D(0.4, 0);
-            File.WriteAllText(points, Json(new[] { middle }, new[] { new Vector2D(1.5, 1) }));
+            Vector2D[] places = { new(1.5, 1), new(0.3, 1.8), new(2.8, 0.2), new(2.7, 1.7) };
+            Vector2D[] shots = places.Select(place => screen.ToImagePx(place) + new Vector2D(0.4, 0)).ToArray();
+            for (int few = 1; few < 4; few++)
+            {
+                File.WriteAllText(points, Json(shots[..few], places[..few]));
+                (int failed, _, string said) = CommandLine.Run("calibrate", "verify", file, "--points", points);
+                Assert.That((failed, said), Is.EqualTo((ExitCodes.CheckFailed, said)), "a few shots prove a few places only");
+                Assert.That(said, Does.Contain("fire at least 4 check shots in 4 parts"));
+            }
+
+            File.WriteAllText(points, Json(shots, places));
             (int code, string output, string error) = CommandLine.Run("calibrate", "verify", file, "--points", points);
             Assert.That(code, Is.EqualTo(ExitCodes.Done), error);
             Assert.That((double)JObject.Parse(output)["verify"]!["max_mm"]!, Is.InRange(0.5, 3));

@@ -13,6 +13,9 @@ namespace LaserTracking.Host.Calibration
         /// <summary>Names of what proves a calibration, as its file has them in "proof".</summary>
         public const string ByCheckPoints = "check points", ByCrossValidation = "cross-validation", None = RangeCalibrationFile.NoProof;
 
+        /// <summary>A plane seen in perspective has four points' worth of freedom: fewer checks leave some of it unseen.</summary>
+        private const int LeastChecks = 4;
+
         private readonly ScreenPoints _points;
         private readonly Vector2D _sizeM;
         private readonly LensCamera? _lens;
@@ -94,6 +97,16 @@ namespace LaserTracking.Host.Calibration
             if (Kind != None && isWithin && Regions().Count() < ScreenRegion.Count)
                 Console.Error.WriteLine("range: nothing is proven in these parts of the screen: " + string.Join(", ", ScreenRegion.AllNames.Except(Regions().Select(region => region.Key))));
             return isWithin;
+        }
+
+        /// <summary>Whether the points can tell a calibration that holds from one that was turned, tilted or scaled about them; says what lacks.</summary>
+        public bool IsEnough()
+        {
+            int parts = Regions().Count();
+            if (_mm.Length >= LeastChecks && parts >= LeastChecks)
+                return true;
+            Console.Error.WriteLine(FormattableString.Invariant($"range: {_mm.Length} point{(_mm.Length == 1 ? string.Empty : "s")} in {parts} of the screen's nine parts prove too little: fire at least {LeastChecks} check shots in {LeastChecks} parts, best one near each corner"));
+            return false;
         }
 
         private IEnumerable<IGrouping<string, int>> Regions() => Enumerable.Range(0, _mm.Length)

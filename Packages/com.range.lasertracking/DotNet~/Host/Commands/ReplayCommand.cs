@@ -32,6 +32,7 @@ namespace LaserTracking.Host.Commands
             var scene = new Option<string?>("--scene") { HelpName = "FILE.unity", Description = "The Unity scene (.unity) that was shown: shots are scored against it." };
             var rendered = new Option<string?>("--rendered") { HelpName = "VIDEO", Description = "What the projector showed, on any clock: shots are found while it moves." };
             var detector = new Option<string>("--detector") { HelpName = "NAME", Description = "shots; paper: the published algorithm, faithfully; dual: infrared and colour together, for recordings that hold both.", DefaultValueFactory = _ => "shots" };
+            var mapping = new Option<string?>("--mapping") { HelpName = "FILE", Description = "For --detector dual: how infrared lies on colour (made by 'calibrate mapping'), in place of the device's factory calibration." };
             var events = new Option<string?>("--events") { HelpName = "FILE", Description = "Writes events.jsonl there; - is standard output." };
             var rejected = new Option<string>("--rejected") { HelpName = "WHICH", Description = "Rejected candidates among the events: all (default); notable: without those that moving edges make, too faint, too small or not compact; none.", DefaultValueFactory = _ => "all" };
             var dots = new Option<string?>("--dots") { HelpName = "FILE", Description = "Writes every tracked dot in every frame there." };
@@ -42,7 +43,7 @@ namespace LaserTracking.Host.Commands
             var keyFile = new Option<string?>("--key-file") { HelpName = "FILE", Description = "The key for --send." };
             var exposure = new Option<double>("--exposure-us") { HelpName = "US", Description = "The camera's shutter, microseconds: narrows the uncertainty of time and place, and what is said about the picture." };
             var row = new Option<double>("--row-us") { HelpName = "US", Description = "Rolling shutter: delay from one row to the next, microseconds." };
-            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, handModel, calibration, scene, rendered, detector, events, rejected, dots, report, session, paced, send, keyFile, exposure, row };
+            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, handModel, calibration, scene, rendered, detector, mapping, events, rejected, dots, report, session, paced, send, keyFile, exposure, row };
             command.SetAction((parsed, interrupted) =>
             {
                 RangeSession.CreateDetector(parsed.GetValue(detector)!);
@@ -67,7 +68,7 @@ namespace LaserTracking.Host.Commands
                 bool isSession = SessionLog.IsIn(name), isScenario = CameraInput.IsScenario(name);
                 if (isSession || isScenario)
                 {
-                    Option[] own = isSession ? [hand, handOffset, handModel, calibration, scene, rendered, detector, session, exposure, row] : [hand, handOffset, calibration, rendered, exposure, row];
+                    Option[] own = isSession ? [hand, handOffset, handModel, calibration, scene, rendered, detector, mapping, session, exposure, row] : [hand, handOffset, calibration, rendered, mapping, exposure, row];
                     foreach (Option option in own)
                     {
                         if (parsed.GetResult(option) is { Implicit: false })
@@ -80,7 +81,7 @@ namespace LaserTracking.Host.Commands
                 }
 
                 foreach (string? result in new[] { eventsName, parsed.GetValue(dots) })
-                    ResultFile.CheckNotRead(result, name, handName, calibrationName, sceneName, renderedName);
+                    ResultFile.CheckNotRead(result, name, handName, calibrationName, sceneName, renderedName, parsed.GetValue(mapping));
                 RangeCalibration? geometry = calibrationName == null ? null : RangeCalibrationFile.Read(calibrationName);
                 SceneModel? model = sceneName == null ? null : UnitySceneReader.Read(sceneName);
                 if (model != null && geometry == null)
@@ -96,10 +97,17 @@ namespace LaserTracking.Host.Commands
                 using HandLandmarkNetwork? hands = HandModelStore.TryOpen(parsed.GetValue(handModel), out string handModelProblem);
                 if (renderedName != null && sessionFolder != null)
                     throw new InputException("--session", "rendered frames are not recorded", "leave out --session or --rendered");
+                string? mappingName = parsed.GetValue(mapping);
+                if (mappingName != null && parsed.GetValue(detector) != "dual")
+                    throw new InputException(mappingName, "only the detector dual lays infrared on colour", "add --detector dual, or leave out --mapping");
+                if (mappingName != null && sessionFolder != null)
+                    throw new InputException("--session", "a mapping of one's own is not recorded", "leave out --session or --mapping");
+                InfraredMapping? ownMapping = mappingName == null ? null : InfraredMappings.Read(mappingName);
                 string problem = "";
                 using RenderedVideo? video = renderedName == null ? null : RenderedVideo.Open(renderedName, name, geometry!, interrupted, out problem);
                 IFrameSource screenFrames = FrameSources.OpenScreenCamera(name);
-                InfraredMapping? infraredMapping = InfraredMappings.Find(screenFrames, geometry, out string? infraredProblem);
+                string? infraredProblem = null;
+                InfraredMapping? infraredMapping = ownMapping ?? InfraredMappings.Find(screenFrames, geometry, out infraredProblem);
                 using IFrameSource screenCamera = new PrefetchingFrameSource(screenFrames);
                 using IFrameSource? handCamera = handName == null ? null : new PrefetchingFrameSource(FrameSources.OpenHandCamera(handName, hands != null));
                 if (geometry is { IsUnverified: true })

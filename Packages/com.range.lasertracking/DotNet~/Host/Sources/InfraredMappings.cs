@@ -2,6 +2,7 @@ using System;
 using LaserTracking.Capture;
 using LaserTracking.Capture.AzureKinect;
 using LaserTracking.Geometry;
+using Newtonsoft.Json.Linq;
 
 namespace LaserTracking.Host.Sources
 {
@@ -10,6 +11,28 @@ namespace LaserTracking.Host.Sources
     {
         /// <summary>Where the screen is taken to be when no calibration tells, mm: a tenth more or less moves the mapping by 1 px.</summary>
         private const double UsualDistanceMm = 2500;
+
+        /// <summary>Least error along one axis that a mapping is trusted with, px of a picture 1920 wide.</summary>
+        private const double LeastSigmaPx = 0.1;
+
+        /// <summary>What 'calibrate mapping' wrote, for one screen and one place of the cameras.</summary>
+        /// <exception cref="InputException">The file cannot be read or is no mapping.</exception>
+        public static InfraredMapping Read(string file)
+        {
+            const string Maker = "'range calibrate mapping'";
+            JObject root = CalibrationJson.ReadFile(file);
+            CalibrationJson.CheckKind(root, file, "mapping", Maker);
+            LensCamera infrared = Camera("infrared"), color = Camera("color");
+            var rays = new Homography(CalibrationJson.Matrix(root["H_rays"], 3, file, "H_rays"));
+            double rms = CalibrationJson.Numbers(new JArray((root["held_out"] as JObject)?["rms_px_1920"] is JValue { Type: not JTokenType.Null } proven ? proven : root["rms_px_1920"] ?? JValue.CreateNull()), 1, file, "rms_px_1920")[0];
+            var mapping = InfraredMapping.OfRays(infrared, color, rays, Math.Max(LeastSigmaPx, Math.Abs(rms) / Math.Sqrt(2)));
+            return mapping.TryMap(new Vector2D((infrared.Pinhole.Width - 1) / 2.0, (infrared.Pinhole.Height - 1) / 2.0), out Vector2D middle)
+                && middle.X >= 0 && middle.Y >= 0 && middle.X < color.Pinhole.Width && middle.Y < color.Pinhole.Height
+                ? mapping
+                : throw new InputException(file, "field H_rays lays the middle of the infrared picture outside the colour picture", "name a file that " + Maker + " made");
+
+            LensCamera Camera(string name) => LensCameraJson.Parse(root[name] as JObject ?? throw new InputException(file, $"field {name} is missing", "name a file that " + Maker + " made"), file, name + ".");
+        }
 
         /// <summary>By the factory calibration in a recording; null without infrared, or with the reason why the calibration is of no use.</summary>
         /// <param name="source">Camera 0.</param>

@@ -64,6 +64,15 @@ namespace LaserTracking.Geometry
             return true;
         }
 
+        /// <summary>Both lenses are known, and so is the homography between their rays: a mapping that was fitted before.</summary>
+        /// <param name="infrared">The infrared camera.</param>
+        /// <param name="color">The colour camera.</param>
+        /// <param name="rays">From infrared to colour rays normalised to z = 1; see <see cref="RayHomography"/>.</param>
+        /// <param name="sigmaPx">See <see cref="SigmaPx"/>, above zero.</param>
+        public static InfraredMapping OfRays(LensCamera infrared, LensCamera color, Homography rays, double sigmaPx) => sigmaPx > 0
+            ? new InfraredMapping(infrared, rays, color, sigmaPx)
+            : throw new ArgumentException("must be above zero", nameof(sigmaPx));
+
         /// <summary>Both cameras are known, the screen is taken to face the colour camera at this distance.</summary>
         /// <param name="infrared">The infrared camera.</param>
         /// <param name="color">The colour camera.</param>

@@ -22,7 +22,7 @@ namespace LaserTracking.Host.Commands
             var points = new Option<string?>("--points") { HelpName = "FILE", Description = "JSON file with image_px and screen_m of points that the fit did not use: shots at known places." };
             Option<string[]> images = CalibrateScreenCommand.ImagesOption();
             Option<double> limit = CalibrateScreenCommand.LimitOption();
-            var command = new Command("verify", "Errors of a calibration on points not used in the fit; exit 1 over the limit.") { file, points, images, limit };
+            var command = new Command("verify", "Errors of a calibration on points not used in the fit; exit 1 over the limit, or with fewer than four points in four parts of the screen.") { file, points, images, limit };
             command.SetAction((parsed, interrupted) =>
             {
                 string? measured = parsed.GetValue(points);
@@ -43,7 +43,7 @@ namespace LaserTracking.Host.Commands
                 var result = new JObject();
                 proof.AddTo(result);
                 Console.WriteLine(result.ToString());
-                return Task.FromResult(proof.Passes(string.Empty) ? ExitCodes.Done : ExitCodes.CheckFailed);
+                return Task.FromResult(proof.Passes(string.Empty) && proof.IsEnough() ? ExitCodes.Done : ExitCodes.CheckFailed);
             });
             return command;
         }
