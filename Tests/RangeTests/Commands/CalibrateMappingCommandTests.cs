@@ -47,7 +47,7 @@ namespace LaserTracking.Commands
                 Assert.That(() => InfraredMappings.Read(folder.File("broken.json")), Throws.TypeOf<InputException>().With.Message.Contains(words), from);
             }
 
-            CommandLine.AssertRefused("only the detector dual", "replay", file, "--mapping", file);
+            CommandLine.AssertRefused("only the detector dual", "replay", folder.File("recording.mkv"), "--mapping", file);
         }
 
         /// <summary>A file of 'calibrate mapping' for two made-up cameras.</summary>
