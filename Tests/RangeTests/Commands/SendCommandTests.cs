@@ -13,6 +13,7 @@ namespace LaserTracking.Commands
     public sealed class SendCommandTests
     {
         private const string KeyText = "00112233445566778899aabbccddeeff";
+        private const string Header = "{\"type\":\"header\",\"v\":1,\"tool\":\"range\",\"version\":\"0.1.0\",\"inputs\":[],\"calibration\":null,\"detector\":\"shots\",\"seed\":null}";
 
         [Test]
         public void Send_Events_ArriveSigned()
@@ -21,7 +22,7 @@ namespace LaserTracking.Commands
             File.WriteAllText(folder.File("key"), KeyText + "\n");
             File.WriteAllLines(folder.File("events.jsonl"),
             [
-                "{\"type\":\"header\",\"v\":1,\"tool\":\"range\",\"version\":\"0.1.0\",\"inputs\":[],\"calibration\":null,\"detector\":\"shots\",\"seed\":null}",
+                Header,
                 Shot(1, 1000), Shot(2, 60000),
                 "{\"type\":\"hand\",\"frame\":1,\"time_us\":70000,\"hand\":\"left\",\"palm_m\":[1,1,-2],\"muzzle_m\":[1,1,-2],\"depth_source\":\"measured\",\"track\":4}",
                 "{\"type\":\"end\",\"frames\":2,\"dropped\":0,\"seconds_media\":1,\"seconds_wall\":1}",
@@ -48,6 +49,46 @@ namespace LaserTracking.Commands
         }
 
         [Test]
+        public void Send_ThroughAFile_IsReceivedAsEvents()
+        {
+            using var folder = new TemporaryFolder();
+            File.WriteAllLines(folder.File("events.jsonl"), [Header, Shot(1, 1000), Shot(2, 60000), Shot(7, 90000)]);
+            (int exitCode, string output, string error) = Together(
+                ["receive", "--from-file", folder.File("detector.json"), "--shots", "3", "--seconds", "20", "--events", folder.File("received.jsonl")],
+                ["send", folder.File("events.jsonl"), "--to-file", folder.File("detector.json")]);
+            Assert.That((exitCode, error), Is.EqualTo((ExitCodes.Done, "")));
+            Assert.That(output, Does.StartWith("3 shots, 0 hands sent"));
+            var received = new LaserTracking.Session.SessionRecorder();
+            LaserTracking.Host.Events.EventReader.Read(folder.File("received.jsonl"), received);
+            Assert.That(received.ShotsByTime().Select(shot => (shot.Shot.Id, shot.ScreenM.X, shot.HasHit)), Is.EqualTo(new[] { (1, 1.2, false), (2, 1.2, false), (7, 1.2, false) }));
+        }
+
+        [Test]
+        public void Receive_NothingComes_IsOverAfterItsTimeWithAFailedCheck()
+        {
+            using var folder = new TemporaryFolder();
+            (int exitCode, string output, string error) = CommandLine.Run("receive", "--listen", "127.0.0.1:0", "--shots", "1", "--seconds", "0.05", "--events", folder.File("received.jsonl"));
+            Assert.That((exitCode, output), Is.EqualTo((ExitCodes.CheckFailed, "")));
+            Assert.That(error, Does.Contain("0 shots, 0 hands"));
+            Assert.That(File.ReadLines(folder.File("received.jsonl")).Count(), Is.EqualTo(2), "header and end");
+        }
+
+        [Test]
+        public void Receive_BadLine_IsRefused()
+        {
+            using var folder = new TemporaryFolder();
+            CommandLine.AssertRefused("anybody on the network", "receive", "--listen", "0.0.0.0:0");
+            CommandLine.AssertRefused("is no HOST:PORT", "receive", "--listen", "here:x");
+            CommandLine.AssertRefused("is no address", "receive", "--allow", "somebody");
+            CommandLine.AssertRefused("belong to the network", "receive", "--from-file", folder.File("a"), "--listen", "127.0.0.1:9");
+            CommandLine.AssertRefused("also read", "receive", "--from-file", folder.File("a"), "--events", folder.File("a"));
+            CommandLine.AssertRefused("--seconds", "receive", "--seconds", "-1");
+            CommandLine.AssertRefused("--to names another way", "send", "--shot", "1,1", "--to-file", folder.File("a"), "--to", "127.0.0.1:9");
+            CommandLine.AssertRefused("is not signed", "send", "--shot", "1,1", "--to-file", folder.File("a"), "--key-file", folder.File("k"));
+            CommandLine.AssertRefused("cannot be written", "send", "--shot", "1,1", "--to-file", Path.Combine(folder.File("none"), "a"));
+        }
+
+        [Test]
         public void Send_BadLine_IsRefused()
         {
             using var folder = new TemporaryFolder();
@@ -63,6 +104,20 @@ namespace LaserTracking.Commands
             CommandLine.AssertRefused("--speed", "send", "--shot", "1,1", "--speed", "NaN");
             CommandLine.AssertRefused("is not there", "send", folder.File("none.jsonl"));
             CommandLine.AssertRefused("--send", "replay", folder.File("a.mkv"), "--send", ":0");
+        }
+
+        /// <summary>Runs the second while the first waits for it; the first one's exit code must be 0, the result is the second's.</summary>
+        private static (int ExitCode, string Output, string Error) Together(string[] waiting, string[] sending)
+        {
+            // As on two terminals: only one of the two may have this program's console.
+            int waitingCode = -1;
+            var thread = new Thread(() => waitingCode = Program.Run(waiting, CancellationToken.None));
+            thread.Start();
+            Thread.Sleep(100);
+            (int, string, string) result = CommandLine.Run(sending);
+            thread.Join();
+            Assert.That(waitingCode, Is.EqualTo(ExitCodes.Done));
+            return result;
         }
 
         private static RemoteReceiver Listen(RemoteKey? key) => new(new RemoteSettings { Port = 0, Address = IPAddress.Loopback, Key = key }, new WallClock());

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using System.Net;
 using System.Net.Sockets;
@@ -46,9 +47,14 @@ namespace LaserTracking.Unity
             "{\"v\":1,\"stream\":5,\"counter\":" + id + ",\"sent_us\":" + (DateTime.UtcNow - DateTime.UnixEpoch).Ticks / 10 + ",\"type\":\"shot\",\"id\":" + id
             + ",\"time_us\":1,\"confidence\":0.9,\"screen_m\":" + screenM + ",\"screen_cov_mm2\":[1,0,1]}";
 
-        private static void Play(Func<bool> until)
+        private sealed class WallClock : IClock
         {
-            for (int i = 0; i < 500 && !until(); i++)
+            public long NowUs => (DateTime.UtcNow - DateTime.UnixEpoch).Ticks / 10;
+        }
+
+        private static void Play(Func<bool> until, int most = 500)
+        {
+            for (int i = 0; i < most && !until(); i++)
             {
                 Thread.Sleep(10);
                 PlayerLoop.Step(1 / 60.0);
@@ -124,6 +130,44 @@ namespace LaserTracking.Unity
             Play(() => _shots.Count == 1);
             Assert.That(plate.transform.position.x, Is.GreaterThan(1.9f), "one metre a second");
             Assert.That((_shots[0].HasHit, _shots[0].Hit.Target), Is.EqualTo((true, "runner")));
+        }
+
+        [Test]
+        public void RemoteInput_File_BringsEveryShotOnceAndNoPort()
+        {
+            LaserTarget plate = RangeRig.AddPlate("plate", new Vector3(0, 0, 4), 0.5f);
+            plate.gameObject.SetActive(true);
+            string folder = Directory.CreateTempSubdirectory("remote-file-").FullName;
+            try
+            {
+                RemoteInput input = Create();
+                SerializedFields.Set(input, "_file", Path.Combine(folder, "detector.json"));
+                input.gameObject.SetActive(true);
+                Assert.That(input.EndPoint, Is.Null);
+                using (var sender = new RemoteFileSender(Path.Combine(folder, "detector.json"), new WallClock()))
+                {
+                    for (int id = 1; id <= 3; id++)
+                    {
+                        ShotEvent shot = default;
+                        shot.Shot.Id = id;
+                        shot.Shot.Dot.Confidence = 1;
+                        shot.HasScreenPosition = true;
+                        shot.ScreenM = new Vector2D(1.865, 1.13);
+                        sender.SendShot(shot);
+                        Play(() => _shots.Count == id);
+                    }
+                }
+
+                Play(() => false, 5);
+                Assert.That(_shots.Select(shot => (shot.Shot.Id, shot.HasHit)), Is.EqualTo(new[] { (1, true), (2, true), (3, true) }));
+                input.enabled = false;
+                Assert.That(input.Inbox, Is.Null);
+                Assert.That(ConsoleLog.Entries, Is.Empty);
+            }
+            finally
+            {
+                Directory.Delete(folder, true);
+            }
         }
 
         [Test]

@@ -10,14 +10,14 @@ namespace LaserTracking.Remote
         /// Replaces the file at once: whoever reads sees the old or the new one. One writer a file.
         /// </summary>
         /// <param name="path">In a folder that exists.</param>
-        /// <param name="content">UTF-8, one message a line.</param>
+        /// <param name="content">UTF-8, one message a line, or nothing.</param>
         /// <exception cref="InputException">It cannot be written.</exception>
         public static void Write(string path, ReadOnlySpan<byte> content)
         {
             string temporary = path + ".part";
             try
             {
-                using (var stream = new FileStream(temporary, FileMode.Create, FileAccess.Write, FileShare.None))
+                using (var stream = new FileStream(temporary, FileMode.Create, FileAccess.Write, FileShare.None, 1))
                     stream.Write(content);
                 if (File.Exists(path))
                     File.Replace(temporary, path, null);
@@ -36,7 +36,7 @@ namespace LaserTracking.Remote
             length = 0;
             try
             {
-                using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
+                using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, 1);
                 long size = stream.Length;
                 for (int read = 1; read > 0 && length < buffer.Length; length += read)
                     read = stream.Read(buffer, length, buffer.Length - length);

@@ -121,7 +121,7 @@ namespace LaserTracking.Remote
                 messages++;
             }
 
-            return messages > 0 ? RemoteDrop.None : RemoteDrop.NotJson;
+            return messages > 0 || length == 0 ? RemoteDrop.None : RemoteDrop.NotJson;
         }
 
         private void TakeAll(int length, long nowUs)
