@@ -132,6 +132,24 @@ namespace LaserTracking.Unity
             Assert.That((_shots[0].HasHit, _shots[0].Hit.Target), Is.EqualTo((true, "runner")));
         }
 
+        [TestCase(0.5f, true)]
+        [TestCase(0f, false)]
+        public void RemoteInput_ScreenAndEyeMovedSince_ShotGoesThroughThemAsTheyStood(float latencyS, bool hits)
+        {
+            RangeRig.AddPlate("plate", new Vector3(0, 0, 4), 0.4f).gameObject.SetActive(true);
+            RemoteInput input = Create();
+            SerializedFields.Set(input, "_latencyS", latencyS);
+            input.gameObject.SetActive(true);
+            PlayerLoop.Step(1);
+            PlayerLoop.Step(0.01);
+            input.Screen!.transform.position += new Vector3(3, 0, 0);
+            input.Viewpoint!.position += new Vector3(3, 0, 0);
+            PlayerLoop.Step(0.01);
+            Send(input.EndPoint!, Shot(1, "[1.865,1.13]"));
+            Play(() => _shots.Count == 1, 20);
+            Assert.That(_shots.Select(shot => shot.HasHit), Is.EqualTo(new[] { hits }));
+        }
+
         [Test]
         public void RemoteInput_File_BringsEveryShotOnceAndNoPort()
         {

@@ -73,6 +73,10 @@ namespace LaserTracking.Unity
 
         internal string HandModelFile => _handModelFile;
 
+        internal double SceneClockOffsetS => _pump?.ClockOffsetS ?? 0;
+
+        private protected override double ClockOffsetS => SceneClockOffsetS;
+
         /// <summary>Records what the detector gets, when there is one.</summary>
         internal RangeRecorder? Recorder { get; private set; }
 

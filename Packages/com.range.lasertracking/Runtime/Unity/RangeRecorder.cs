@@ -18,6 +18,7 @@ namespace LaserTracking.Unity
     /// </summary>
     [DisallowMultipleComponent]
     [RequireComponent(typeof(LaserRange))]
+    [DefaultExecutionOrder(1000)]
     [AddComponentMenu("Laser Tracking/Range Recorder")]
     public sealed class RangeRecorder : MonoBehaviour
     {
@@ -146,7 +147,7 @@ namespace LaserTracking.Unity
             if (_writer == null)
                 return;
             if (_writer.Poses != null)
-                _moved.Log(_writer.Poses, Time.timeAsDouble);
+                _moved.Log(_writer.Poses, Time.timeAsDouble, _range!.SceneClockOffsetS);
             TellTroubles(_writer);
             if (_range != null && !_range.IsRunning)
                 End(true);

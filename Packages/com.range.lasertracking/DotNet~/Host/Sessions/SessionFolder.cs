@@ -49,6 +49,7 @@ namespace LaserTracking.Host.Sessions
             TappedFrameSource? handTap = plan.HandCamera == null ? null : new TappedFrameSource(plan.HandCamera) { Tap = writer.AddHandFrame };
             int exitCode = run(plan with
             {
+                Ended = seconds => log.SecondsWall = seconds,
                 ScreenCamera = screenTap,
                 HandCamera = handTap,
                 Calibration = calibration == null ? null : RangeCalibrationFile.Parse(calibration, "calibration"),
@@ -93,6 +94,7 @@ namespace LaserTracking.Host.Sessions
                 SceneTimeZeroUs = log.SceneTimeZeroUs,
                 CameraTiming = new CameraTimingSettings { ExposureUs = log.ExposureUs, RowUs = log.RowUs },
                 Version = log.Header.Version,
+                SecondsWall = log.IsComplete ? log.SecondsWall : null,
             };
         }
 

@@ -179,12 +179,11 @@ namespace LaserTracking.Unity
                 && _published!.TryPlace(pose, _camera.WorldPose(), Screen.Pose, Screen.SizeM, out muzzleM, out screenM);
         }
 
+        /// <summary>A range of the scene may have set the clock that the targets move by.</summary>
+        private protected override double ClockOffsetS => MovingTargets.Count > 0 ? MovingTargets.At(0).ClockOffsetS : 0;
+
         /// <summary>When the light left, on the clock that the targets move by.</summary>
-        private double SceneTimeS(long senderTimeUs)
-        {
-            double offsetS = MovingTargets.Count > 0 ? MovingTargets.At(0).ClockOffsetS : 0;
-            return Time.timeAsDouble + offsetS - _senderClock.AgeS(senderTimeUs, _wall.NowUs) - _latencyS;
-        }
+        private double SceneTimeS(long senderTimeUs) => Time.timeAsDouble + ClockOffsetS - _senderClock.AgeS(senderTimeUs, _wall.NowUs) - _latencyS;
 
         private RemoteSettings ReadSettings()
         {
