@@ -83,6 +83,32 @@ namespace LaserTracking.Unity
         }
 
         [Test]
+        public void RangeRecorder_SourceThatKnowsItsDevicesCalibration_HasItInTheRecording()
+        {
+            var rig = new RangeRig(new StubSource(20, 0));
+            byte[] json = { (byte)'{', (byte)'}' };
+            // As a device that is opened by its own thread: known with the first frame.
+            rig.SourceAsset.Create = () =>
+            {
+                rig.SourceAsset.Device = json;
+                return rig.Source;
+            };
+            RangeRecorder recorder = Add(rig);
+            rig.Play(1);
+            using KinectRecording recording = KinectRecording.Open(Path.Combine(recorder.SessionFolder, SessionLog.ScreenFramesName));
+            Assert.That(recording.TryReadCalibration(out byte[] read), Is.True);
+            Assert.That(read, Is.EqualTo(json));
+
+            string streaming = Desk.StreamingAssetsPath;
+            Desk.StreamingAssetsPath = recorder.SessionFolder;
+            RecordingSource source = ScriptableObject.CreateInstance<RecordingSource>();
+            SerializedFields.Set(source, "_file", SessionLog.ScreenFramesName);
+            source.CreateSource(rig.Range).Dispose();
+            Desk.StreamingAssetsPath = streaming;
+            Assert.That(source.DeviceCalibration, Is.EqualTo(json), "it goes from recording to recording");
+        }
+
+        [Test]
         public void RangeRecorder_Replay_FindsTheSameShotsAndHits()
         {
             var rig = new RangeRig(new StubSource(60, 0, (10, 320, 240), (30, 100, 100)));

@@ -43,7 +43,7 @@ namespace LaserTracking.Host.Sessions
             };
             FrameRecorderSettings screen = SettingsFor(plan.ScreenCamera);
             if (device != null && device.TryReadCalibration(out byte[] json))
-                screen.DeviceCalibration = json;
+                screen.DeviceCalibration = () => json;
             using var writer = new SessionLogWriter(folder, log, screen, plan.HandCamera == null ? null : SettingsFor(plan.HandCamera), calibration, plan.Scene);
             var screenTap = new TappedFrameSource(plan.ScreenCamera) { Tap = writer.AddScreenFrame };
             TappedFrameSource? handTap = plan.HandCamera == null ? null : new TappedFrameSource(plan.HandCamera) { Tap = writer.AddHandFrame };
