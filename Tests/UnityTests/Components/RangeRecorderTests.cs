@@ -139,6 +139,20 @@ namespace LaserTracking.Unity
         }
 
         [Test]
+        public void RangeRecorder_ScreenAndEyeThatMove_AreWhereTheyWereInTheReplay()
+        {
+            // They stand before the plate only around the first flash.
+            var rig = new RangeRig(new StubSource(60, 0, (10, 320, 240), (40, 320, 240)));
+            RangeRig.AddPlate("plate", new Vector3(0, 0, 4), 0.5f).gameObject.SetActive(true);
+            rig.Screen.gameObject.AddComponent<Slider>();
+            rig.Range.Viewpoint!.gameObject.AddComponent<Slider>();
+            RangeRecorder recorder = Add(rig);
+            rig.Play(2.2);
+            Assert.That(rig.Shots.Select(s => s.HasHit), Is.EqualTo(new[] { true, false }));
+            Assert.That(Replay(recorder.SessionFolder).Select(s => s.HasHit), Is.EqualTo(new[] { true, false }));
+        }
+
+        [Test]
         public void RangeRecorder_StartedAndStopped_WritesOneSessionFromItsFirstFrame()
         {
             var rig = new RangeRig(new StubSource(500, 0));
@@ -222,6 +236,11 @@ namespace LaserTracking.Unity
         }
 
         /// <summary>Puts its object far away after half a second.</summary>
+        private sealed class Slider : MonoBehaviour
+        {
+            private void Update() => transform.position = new Vector3(Time.timeAsDouble < 0.6 ? 0 : 3, 0, transform.position.z);
+        }
+
         private sealed class Mover : MonoBehaviour
         {
             private void Update()
