@@ -101,7 +101,7 @@ namespace LaserTracking.Detection
             Span<float> features = stackalloc float[DotEvidence.Count];
             double least = rise < _settings.FaintRise ? Math.Max(_settings.MinLogOdds, IsCrowded ? conclusive : _settings.FaintLogOdds) : _settings.MinLogOdds;
             candidate.LogOdds = Weigh(view, ref candidate, 0, least, out int against, features);
-            EvidenceCurve curve = DotEvidence.Curves[against];
+            EvidenceCurve curve = _settings.Evidence.Curves[against];
             if (Fails(ref candidate, candidate.LogOdds < least, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What))
                 return;
             candidate.IsConclusive = candidate.LogOdds >= conclusive;
@@ -112,18 +112,18 @@ namespace LaserTracking.Detection
         private double Weigh(in FrameView view, ref Candidate candidate, double before, double least, out int against, Span<float> features)
         {
             FeatureMeasurer.MeasureItself(view, candidate, Noise, Scale, ContentLevel, features);
-            double highest = DotEvidence.HighestLogOdds(features);
+            double highest = _settings.Evidence.HighestLogOdds(features);
             bool isHopeless = before + highest < least;
             if (!isHopeless || Trace != null)
             {
                 SurroundingsMeasurer.Ring(view, ref candidate, Noise);
                 FeatureMeasurer.MeasureAround(view, candidate, Noise, (int)(_settings.MotionRadiusPx * Scale), features);
                 candidate.MotionShare = features[(int)DotFeature.BrightenedAround] + features[(int)DotFeature.DarkenedAround];
-                Trace?.AddEvidence(features, before, least);
+                Trace?.AddEvidence(_settings.Evidence, features, before, least);
             }
 
-            against = DotEvidence.StrongestAgainst(features, !isHopeless);
-            return isHopeless ? highest : DotEvidence.LogOdds(features);
+            against = _settings.Evidence.StrongestAgainst(features, !isHopeless);
+            return isHopeless ? highest : _settings.Evidence.LogOdds(features);
         }
 
         /// <summary>

@@ -39,6 +39,9 @@ namespace LaserTracking.Detection
         /// <summary>Least evidence of a candidate, log-odds −20…20: below, one reason is named. See DotEvidence.</summary>
         public double MinLogOdds { get; set; } = 0.4;
 
+        /// <summary>By what candidates are weighed; what the detector was built with unless told otherwise. Never null.</summary>
+        public DotEvidence Evidence { get; set; } = DotEvidence.Learned;
+
         /// <summary>Evidence at which one frame suffices, log-odds −20…20.</summary>
         public double ConclusiveLogOdds { get; set; } = 2.1;
 
@@ -65,9 +68,6 @@ namespace LaserTracking.Detection
 
         /// <summary>Largest share of the ring around the dot that rose at least half as far, 0…1; for a dot that has to wait.</summary>
         public double MaxRingShare { get; set; } = 0.04;
-
-        /// <summary>Largest share of the surroundings that changed since the last frame, 0…1; for a dot that has to wait.</summary>
-        public double MaxMotionShare { get; set; } = 0.06;
 
         /// <summary>
         /// By how much light must exceed the projected picture's brightest to be none of it, levels, 1…255. Where less room is left
@@ -101,6 +101,8 @@ namespace LaserTracking.Detection
         /// <exception cref="ArgumentException">A value is outside its range or NaN; the message names it.</exception>
         public void Validate()
         {
+            if (Evidence == null)
+                throw new ArgumentException("evidence is needed to weigh candidates", nameof(Evidence));
             SettingCheck.InRange(nameof(FullSizeMaxWidthPx), FullSizeMaxWidthPx, 1, 16384);
             SettingCheck.InRange(nameof(EnvelopeDecay), EnvelopeDecay, 1, 64);
             SettingCheck.InRange(nameof(SmoothingNoise), SmoothingNoise, 0, 255);
@@ -120,7 +122,6 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MaxElongation), MaxElongation, 1, 100);
             SettingCheck.InRange(nameof(ConclusiveElongation), ConclusiveElongation, 1, 100);
             SettingCheck.InRange(nameof(MaxRingShare), MaxRingShare, 0, 1);
-            SettingCheck.InRange(nameof(MaxMotionShare), MaxMotionShare, 0, 1);
             SettingCheck.InRange(nameof(QuietActivity), QuietActivity, 0, 255);
             SettingCheck.InRange(nameof(MinContentExcess), MinContentExcess, 1, 255);
             SettingCheck.InRange(nameof(MotionRadiusPx), MotionRadiusPx, 4, 320);
