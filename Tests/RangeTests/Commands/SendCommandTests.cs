@@ -82,6 +82,8 @@ namespace LaserTracking.Commands
             CommandLine.AssertRefused("is no address", "receive", "--allow", "somebody");
             CommandLine.AssertRefused("belong to the network", "receive", "--from-file", folder.File("a"), "--listen", "127.0.0.1:9");
             CommandLine.AssertRefused("also read", "receive", "--from-file", folder.File("a"), "--events", folder.File("a"));
+            CommandLine.AssertRefused("no name for a file", "receive", "--from-file", "");
+            CommandLine.AssertRefused("no name for a file", "receive", "--from-file", folder.Path);
             CommandLine.AssertRefused("--seconds", "receive", "--seconds", "-1");
             CommandLine.AssertRefused("--to names another way", "send", "--shot", "1,1", "--to-file", folder.File("a"), "--to", "127.0.0.1:9");
             CommandLine.AssertRefused("is not signed", "send", "--shot", "1,1", "--to-file", folder.File("a"), "--key-file", folder.File("k"));

@@ -216,7 +216,7 @@ namespace LaserTracking.Unity
                 input.HealthChanged += health => told.Add(health.Text);
                 input.gameObject.SetActive(true);
                 byte[] genuine = Sign(Shot(1, "[1.865,1.13]"), KeyText), forged = (byte[])genuine.Clone();
-                forged[^1] ^= 1;
+                forged[^1] = (byte)(forged[^1] == '0' ? '1' : '0');
                 byte[] stale = Sign(System.Text.RegularExpressions.Regex.Replace(Shot(2, "[1,1]"), "\"sent_us\":[0-9]+", "\"sent_us\":1700000000000000"), KeyText), notUtf8 = Sign("{\"v\":1,\"\u00e9\":1}", KeyText, Encoding.Latin1);
                 byte[][] hostile = { forged, Encoding.UTF8.GetBytes(Shot(3, "[1,1]")), stale, notUtf8, new byte[3000], Sign(Shot(4, "[NaN,1]"), KeyText), Sign(Shot(5, "[1e9,1]"), KeyText) };
                 SendAll(input.EndPoint!, genuine);

@@ -30,6 +30,23 @@ namespace LaserTracking.Remote
             }
         }
 
+        /// <exception cref="InputException">No file can have this name, or it is a folder.</exception>
+        internal static void CheckName(string path)
+        {
+            bool isName;
+            try
+            {
+                isName = Path.GetFileName(new FileInfo(path).FullName).Length > 0 && !Directory.Exists(path);
+            }
+            catch (Exception e) when (IsFileProblem(e))
+            {
+                isName = false;
+            }
+
+            if (!isName)
+                throw new InputException(path.Length == 0 ? "\"\"" : path, "this is no name for a file", "name the file that the detector writes");
+        }
+
         /// <summary>The whole content, or false: not there, not to be opened now, longer than the buffer, or changed while it was read.</summary>
         internal static bool TryRead(string path, byte[] buffer, out int length)
         {

@@ -33,9 +33,11 @@ namespace LaserTracking.Remote
         /// <param name="settings">Age, rate and capacity count; address, port and key do not.</param>
         /// <param name="clock">The wall clock.</param>
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
+        /// <exception cref="InputException">The path is no name for a file.</exception>
         public RemoteFileReceiver(string path, RemoteSettings settings, IClock clock)
         {
             settings.Validate();
+            RemoteFile.CheckName(path);
             _path = path;
             _clock = clock;
             _maximumAgeUs = (long)(settings.MaximumAgeMs * 1000);

@@ -1,4 +1,5 @@
 using System;
+using System.IO;
 using System.Net;
 using LaserTracking.Geometry;
 using LaserTracking.Remote;
@@ -33,7 +34,7 @@ namespace LaserTracking.Unity
         private string[] _allowedSenders = new string[0];
 
         [SerializeField]
-        [Tooltip("File that a detector on this machine replaces again and again; read in place of the network, whose fields then do not count. Empty: the network.")]
+        [Tooltip("File that a detector on this machine replaces again and again; read in place of the network, whose fields then do not count. A relative path begins in Unity's persistent data path. Empty: the network.")]
         private string _file = "";
 
         [SerializeField]
@@ -86,7 +87,7 @@ namespace LaserTracking.Unity
                 if (_file.Length == 0)
                     Listen(new RemoteReceiver(ReadSettings(), _wall));
                 else
-                    Watch(new RemoteFileReceiver(_file, new RemoteSettings(), _wall));
+                    Watch(new RemoteFileReceiver(Path.Combine(Application.persistentDataPath, _file), new RemoteSettings(), _wall));
             }
             catch (Exception problem) when (problem is InputException || problem is ArgumentException)
             {
