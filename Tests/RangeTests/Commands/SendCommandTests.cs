@@ -53,9 +53,14 @@ namespace LaserTracking.Commands
         {
             using var folder = new TemporaryFolder();
             File.WriteAllLines(folder.File("events.jsonl"), [Header, Shot(1, 1000), Shot(2, 60000), Shot(7, 90000)]);
-            (int exitCode, string output, string error) = Together(
-                ["receive", "--from-file", folder.File("detector.json"), "--shots", "3", "--seconds", "20", "--events", folder.File("received.jsonl")],
-                ["send", folder.File("events.jsonl"), "--to-file", folder.File("detector.json")]);
+            using var receiver = new RangeProcess(folder.Path, null, "receive", "--from-file", "detector.json", "--shots", "3", "--seconds", "20");
+            string lines = receiver.Output.ReadLine() + "\n";
+            (int exitCode, string output, string error) = CommandLine.Run("send", folder.File("events.jsonl"), "--to-file", folder.File("detector.json"));
+            lines += receiver.Output.ReadToEnd();
+            (int receivedCode, string told) = receiver.WaitForExit();
+            Assert.That(receivedCode, Is.EqualTo(ExitCodes.Done), told);
+            Assert.That(told, Does.EndWith("detector.json: 3 shots, 0 hands, 0 published rays\n"));
+            File.WriteAllText(folder.File("received.jsonl"), lines);
             Assert.That((exitCode, error), Is.EqualTo((ExitCodes.Done, "")));
             Assert.That(output, Does.StartWith("3 shots, 0 hands sent"));
             var received = new LaserTracking.Session.SessionRecorder();
@@ -106,20 +111,6 @@ namespace LaserTracking.Commands
             CommandLine.AssertRefused("--speed", "send", "--shot", "1,1", "--speed", "NaN");
             CommandLine.AssertRefused("is not there", "send", folder.File("none.jsonl"));
             CommandLine.AssertRefused("--send", "replay", folder.File("a.mkv"), "--send", ":0");
-        }
-
-        /// <summary>Runs the second while the first waits for it; the first one's exit code must be 0, the result is the second's.</summary>
-        private static (int ExitCode, string Output, string Error) Together(string[] waiting, string[] sending)
-        {
-            // As on two terminals: only one of the two may have this program's console.
-            int waitingCode = -1;
-            var thread = new Thread(() => waitingCode = Program.Run(waiting, CancellationToken.None));
-            thread.Start();
-            Thread.Sleep(100);
-            (int, string, string) result = CommandLine.Run(sending);
-            thread.Join();
-            Assert.That(waitingCode, Is.EqualTo(ExitCodes.Done));
-            return result;
         }
 
         private static RemoteReceiver Listen(RemoteKey? key) => new(new RemoteSettings { Port = 0, Address = IPAddress.Loopback, Key = key }, new WallClock());
