@@ -73,6 +73,7 @@ namespace LaserTracking.Unity
         [TestCase("Assets/Scenes/Range.unity", "Mouse")]
         [TestCase("Assets/Scenes/Range.unity", "RangeSimulation")]
         [TestCase("Packages/com.range.lasertracking/Prefabs/LaserRange.prefab", "Mouse")]
+        [TestCase("Packages/com.range.lasertracking/Samples~/MovingTargets/MovingTargets.unity", "Mouse")]
         public void ShippedScene_SourceNamedOnTheCommandLine_Plays(string file, string source)
         {
             RangeRig.AddMainCamera();

@@ -6,7 +6,7 @@ namespace LaserTracking.Remote
 {
     /// <summary>
     /// Sends shots and poses through a file that a <see cref="RemoteFileReceiver"/> of this machine watches. Only the newest content
-    /// is ever seen, so each shot stays in it for 100 ms, twenty looks of the receiver; of poses the newest of each hand. A thread of its own
+    /// is ever seen, so each shot stays in it for 200 ms, forty looks of the receiver; of poses the newest of each hand. A thread of its own
     /// replaces the file at most every 10 ms. One sender a file.
     /// </summary>
     public sealed class RemoteFileSender : IRemoteSender
@@ -14,8 +14,9 @@ namespace LaserTracking.Remote
         private const int Capacity = 1024;
         private const int MostShots = 24; // with the poses below what a receiver takes in a second, and within its window of 64
         private const int MostHands = 8;
+        private const int PosesPerSecond = 150;
         private const int WriteMs = 10;
-        private const long StayUs = 100_000;
+        private const long StayUs = 200_000; // less than the age at which a message is stale
         private const long PatienceUs = 1_000_000;
 
         private readonly object _lock = new object();
@@ -23,7 +24,7 @@ namespace LaserTracking.Remote
         private readonly Line[] _shots = new Line[MostShots];
         private readonly Message[] _hands = new Message[MostHands];
         private readonly Line[] _handLines = new Line[MostHands];
-        private readonly RateWindow _poses = new RateWindow(200);
+        private readonly RateWindow _poses = new RateWindow(PosesPerSecond);
         private readonly MessageWriter _writer = new MessageWriter(null, true);
         private readonly byte[] _content = new byte[32768];
         private readonly string _path;
@@ -69,7 +70,7 @@ namespace LaserTracking.Remote
                 SetPose(message);
         }
 
-        /// <summary>Writes what still waits, leaves it there for 100 ms, empties the file and ends. May be called again.</summary>
+        /// <summary>Writes what still waits, leaves it there for 200 ms, empties the file and ends. May be called again.</summary>
         public void Dispose()
         {
             lock (_lock)
