@@ -26,6 +26,9 @@ namespace LaserTracking.Detection
         /// <summary>Records every test when there is one.</summary>
         public DetectionTrace? Trace { get; set; }
 
+        /// <summary>Of the frame, microseconds.</summary>
+        public long TimeUs { get; set; }
+
         /// <summary>Much of the picture has risen at once: what is faint proves nothing there.</summary>
         public bool IsCrowded { get; set; }
 
@@ -91,7 +94,7 @@ namespace LaserTracking.Detection
                 if (!known.IsConclusive && candidate.IsOnset && !candidate.MayBeContent)
                     candidate.LogOdds += Weigh(view, ref candidate, known.LogOdds, _settings.MinLogOdds, out int _, stackalloc float[DotEvidence.Count]);
                 candidate.IsConclusive = known.IsConclusive || isProvenByLevel || candidate.LogOdds >= conclusive;
-                Fails(ref candidate, !candidate.IsConclusive && known.Frames > _settings.MaxWaitFrames, RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
+                Fails(ref candidate, !candidate.IsConclusive && WaitLimit.IsOver(known.Frames, TimeUs - known.FirstTimeUs, _settings.MaxWaitFrames, _settings.MaxWaitUs), RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
                 return;
             }
 
@@ -111,7 +114,7 @@ namespace LaserTracking.Detection
         /// <summary>No single measure decides: all of them together say how likely this is a laser's light.</summary>
         private double Weigh(in FrameView view, ref Candidate candidate, double before, double least, out int against, Span<float> features)
         {
-            FeatureMeasurer.MeasureItself(view, candidate, Noise, Scale, ContentLevel, features);
+            FeatureMeasurer.MeasureItself(view, candidate, Scale, ContentLevel, features);
             double highest = _settings.Evidence.HighestLogOdds(features);
             bool isHopeless = before + highest < least;
             if (!isHopeless || Trace != null)

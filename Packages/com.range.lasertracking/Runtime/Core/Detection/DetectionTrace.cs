@@ -170,7 +170,7 @@ namespace LaserTracking.Detection
                 _candidates[index].TestCount--;
         }
 
-        /// <summary>A candidate that waited lies beside a dot that more speaks for.</summary>
+        /// <summary>A candidate that waited lies beside a dot that more speaks for, or is one of too many.</summary>
         internal void SettleWaiting(int index, in RejectedCandidate rejected)
         {
             if (index < 0)
@@ -182,6 +182,9 @@ namespace LaserTracking.Detection
             int last = candidate.FirstTest + candidate.TestCount - 1;
             if (candidate.TestCount == 0 || _tests[last].Reason != RejectionReason.Duplicate)
                 return;
+            _tests[last].Reason = rejected.Reason;
+            _tests[last].What = UsualMeasure(rejected.Reason);
+            _tests[last].IsMinimum = IsMinimum(rejected.Reason);
             _tests[last].IsPassed = false;
             _tests[last].Value = rejected.Value;
             _tests[last].Limit = rejected.Limit;
@@ -206,6 +209,7 @@ namespace LaserTracking.Detection
                 case RejectionReason.WrongColor: return "red-green coherence";
                 case RejectionReason.NotConfirmed: return "frames waited";
                 case RejectionReason.Duplicate: return "distance to a dot, px";
+                case RejectionReason.LowConfidence: return "log-odds, one of many at once";
                 case RejectionReason.NotNew: return "new light, share";
                 case RejectionReason.CutByEdge: return "to the edge, px";
                 default: return reason.ToString();

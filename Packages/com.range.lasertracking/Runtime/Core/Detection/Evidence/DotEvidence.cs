@@ -10,7 +10,7 @@ namespace LaserTracking.Detection
     public sealed class DotEvidence
     {
         /// <summary>Number of features: of <see cref="DotFeature"/>.</summary>
-        public const int Count = (int)DotFeature.LogStrength + 1;
+        public const int Count = (int)DotFeature.Asymmetry + 1;
 
         /// <summary>What no measure says of most dots at their best, log-odds: that one does not outshine the picture is no reason.</summary>
         private const float OftenAtBest = 1.6f;
@@ -88,6 +88,7 @@ namespace LaserTracking.Detection
                 case DotFeature.ContrastNow:
                 case DotFeature.ContrastBefore:
                 case DotFeature.RisenAround:
+                case DotFeature.Asymmetry:
                     return true;
                 default:
                     return false;
