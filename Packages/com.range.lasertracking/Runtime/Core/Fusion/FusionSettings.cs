@@ -101,7 +101,7 @@ namespace LaserTracking.Fusion
         /// How much more others who aim near the dot count in what is said than in what is reckoned: lines of sight err together more often
         /// than a normal distribution lets them. Fitted so that shooter_p is met (simulated range, seeds 1 to 3).
         /// </summary>
-        public double RivalWeight { get; set; } = 3;
+        public double RivalWeight { get; set; } = 2;
 
         /// <summary>Below this probability the shooter is unknown.</summary>
         public double MinProbability { get; set; } = 0.9;
