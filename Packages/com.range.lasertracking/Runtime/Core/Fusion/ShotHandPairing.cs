@@ -1,5 +1,6 @@
 using System;
 using LaserTracking.Geometry;
+using LaserTracking.Hands;
 
 namespace LaserTracking.Fusion
 {
@@ -35,7 +36,7 @@ namespace LaserTracking.Fusion
             Vector3D axis = camera.PoseInScreenMm.TransformDirection(hand.Hand.AimDirection);
             shot = new FusedShot
             {
-                Hand = hand.Hand.Side,
+                Hand = hand.Hand.IsSideSure ? hand.Hand.Side : HandSide.Unknown,
                 HandTrackId = hand.Hand.TrackId,
                 HasMuzzle = true,
                 MuzzleM = muzzle,

@@ -128,7 +128,7 @@ namespace LaserTracking.Fusion
                 if (_keys[k] < 0 || probabilities[k] < MinRemembered)
                     continue;
                 ref readonly FusedShot pair = ref _pairs[row * _settings.MaxHands + k];
-                bool isClear = pair.HasMuzzle && Math.Abs(pair.PairDeltaUs) <= LearnUs && pair.MuzzleSigmaM < MaxLearnSigmaM;
+                bool isClear = pair.HasMuzzle && !IsMoving(shot) && Math.Abs(pair.PairDeltaUs) <= LearnUs && pair.MuzzleSigmaM < MaxLearnSigmaM;
                 _memory.Add(_keys[k], pair, probabilities[k], isClear ? _sightShares[row * _settings.MaxHands + k] : 0);
                 if (probabilities[k] < _settings.LearnProbability)
                     continue;
@@ -146,7 +146,7 @@ namespace LaserTracking.Fusion
         /// </summary>
         public void NoteTime(int row, in Shot shot, Vector2D screenM, ReadOnlySpan<double> probabilities)
         {
-            if (shot.Dot.StreakPx.LengthSquared < MovingDotPx * MovingDotPx)
+            if (!IsMoving(shot))
                 return;
             for (int k = 0; k < Columns; k++)
             {
@@ -155,6 +155,9 @@ namespace LaserTracking.Fusion
                     Clock.Note(_keys[k], pair.HandTrackId, shot.TimeUs, new Vector3D(screenM.X, screenM.Y, 0));
             }
         }
+
+        /// <summary>Fired from a swing: tells the time, and of the line less than what the time is off.</summary>
+        private static bool IsMoving(in Shot shot) => shot.Dot.StreakPx.LengthSquared >= MovingDotPx * MovingDotPx;
 
         private void GatherHands(long timeUs) =>
             _handCount = _history.At(timeUs, _settings.WindowUs, _settings.MaxInterpolationUs, _hands);

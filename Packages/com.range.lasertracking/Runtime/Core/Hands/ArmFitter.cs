@@ -82,7 +82,7 @@ namespace LaserTracking.Hands
             Muzzle(grid, axis, isClear, part, ref fit);
             if (IsCut(grid, hand + axis * (front - Vector3D.Dot(hand, axis)), axis))
                 fit.MuzzleSigmaMm = Math.Max(fit.MuzzleSigmaMm, _settings.CutSigmaMm);
-            fit.Side = SideOf(part);
+            fit.Side = ArmSide.Of(part, _settings);
             fit.PersonId = part.PersonId;
             if (isClear && IsHole(grid, hand, axis, front, out Vector3D holeRay))
                 BridgeHand(axis, front, holeRay, ref fit);
@@ -356,15 +356,6 @@ namespace LaserTracking.Hands
         private bool IsBefore(Vector3D end, Vector3D palm) => Vector3D.Dot(palm - end, _upright.Away) > 0.25 * _settings.MuzzleBeyondPalmMm;
 
         private Vector3D BoreAboveGrip(Vector3D axis) => (_upright.Up - axis * Vector3D.Dot(_upright.Up, axis)).Normalized * _settings.BoreAboveGripMm;
-
-        /// <summary>The camera faces the trainee: their right shoulder is on the picture's left. Near the body's middle: unknown.</summary>
-        private HandSide SideOf(in ArmPart part)
-        {
-            if (!part.HasTorso || !part.HasOneRoot)
-                return HandSide.Unknown;
-            double offset = part.RootXMm - part.TorsoMm.X, limit = 0.4 * _settings.TorsoHalfWidthMm;
-            return offset < -limit ? HandSide.Right : offset > limit ? HandSide.Left : HandSide.Unknown;
-        }
 
         /// <summary>True when most of what lies before the front end has no depth at all; the middle of that, as a ray (z = 1).</summary>
         private bool IsHole(DepthGrid grid, Vector3D hand, Vector3D axis, double front, out Vector3D ray)
