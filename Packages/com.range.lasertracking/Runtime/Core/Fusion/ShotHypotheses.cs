@@ -35,7 +35,11 @@ namespace LaserTracking.Fusion
         private readonly double[] _weights;
         private readonly FusedShot[] _pairs;
         private readonly double[] _sightShares;
+        private readonly double[] _shares;
         private int _handCount;
+
+        /// <summary>For when the hands were gathered last; shots of one frame share it.</summary>
+        private long? _gatheredUs;
 
         public ShotHypotheses(HandCamera camera, FusionSettings settings)
         {
@@ -50,6 +54,7 @@ namespace LaserTracking.Fusion
             _weights = new double[settings.MaxShots * settings.MaxHands];
             _pairs = new FusedShot[_weights.Length];
             _sightShares = new double[_weights.Length];
+            _shares = new double[settings.MaxHands];
         }
 
         public HandHistory History => _history;
@@ -89,7 +94,11 @@ namespace LaserTracking.Fusion
         /// <summary>Where the eyes of a column's person are; false when they are unknown.</summary>
         public bool TryEyes(int key, out Vector3D eyesM) => _sights.TryEyes(key, out eyesM);
 
-        public void Begin() => Columns = 0;
+        public void Begin()
+        {
+            Columns = 0;
+            _gatheredUs = null;
+        }
 
         /// <summary>Adds the columns that a shot needs; call for all shots of a frame before weighing any.</summary>
         public void Collect(in Shot shot)
@@ -159,8 +168,13 @@ namespace LaserTracking.Fusion
         /// <summary>Fired from a swing: tells the time, and of the line less than what the time is off.</summary>
         private static bool IsMoving(in Shot shot) => shot.Dot.StreakPx.LengthSquared >= MovingDotPx * MovingDotPx;
 
-        private void GatherHands(long timeUs) =>
+        private void GatherHands(long timeUs)
+        {
+            if (timeUs == _gatheredUs)
+                return;
+            _gatheredUs = timeUs;
             _handCount = _history.At(timeUs, _settings.WindowUs, _settings.MaxInterpolationUs, _hands);
+        }
 
         private void AddColumn(int key)
         {
@@ -176,14 +190,15 @@ namespace LaserTracking.Fusion
             long nearest = long.MaxValue;
             for (int i = 0; i < _handCount; i++)
             {
-                if (Share(_hands[i].Hand, key) > 0)
+                _shares[i] = Share(_hands[i].Hand, key);
+                if (_shares[i] > 0)
                     nearest = Math.Min(nearest, Math.Abs(_hands[i].DeltaUs));
             }
 
             double sum = 0, highest = 0, shares = 0;
             for (int i = 0; i < _handCount; i++)
             {
-                double share = Share(_hands[i].Hand, key);
+                double share = _shares[i];
                 if (!(share > 0) || Math.Abs(_hands[i].DeltaUs) > nearest + SameTimeUs)
                     continue;
                 shares += share;

@@ -40,7 +40,8 @@ namespace LaserTracking.Fusion
         private const int Capacity = 32;
         private const int LinesEach = 6;
 
-        /// <summary>Weighed again for each of camera 1's frames.</summary>
+        /// <summary>Weighed again for each of camera 1's frames: of the newest those whose hands are known better by now, and some in turn.</summary>
+        private const int Newest = 4;
         private const int EachFrame = 4;
 
         /// <summary>Sightings farther apart are not interpolated between.</summary>
@@ -104,7 +105,7 @@ namespace LaserTracking.Fusion
         /// <summary>Weighs some shots again, those first whose hands are known better by now.</summary>
         public void Refresh(HandHistory history, long nowUs)
         {
-            for (int i = Math.Max(0, _count - EachFrame); i < _count; i++)
+            for (int i = Math.Max(0, _count - Newest); i < _count; i++)
             {
                 int at = Place(i);
                 if (_shots[at].IsRipe || nowUs < _shots[at].TimeUs)
