@@ -5,13 +5,13 @@ using UnityEngine;
 
 namespace LaserTracking.Editor
 {
-    /// <summary>In the Scene view, for a selected LaserRange: from the viewpoint through the screen's corners, and how sure the calibration is.</summary>
+    /// <summary>In the Scene view, for a selected LaserRange: from the viewpoint through the screen's corners, how sure the calibration is, and what its check points said.</summary>
     public static class RangeGizmos
     {
         private const int Columns = 5;
         private const int Rows = 3;
 
-        /// <summary>Uncertainties of millimetres would be invisible.</summary>
+        /// <summary>Uncertainties and errors of millimetres would be invisible.</summary>
         private const double Magnification = 10;
 
         [DrawGizmo(GizmoType.Selected | GizmoType.Active)]
@@ -31,7 +31,10 @@ namespace LaserTracking.Editor
             try
             {
                 if (screen.ReadCalibration() is RangeCalibration calibration)
+                {
                     DrawUncertainty(screen, calibration.Screen);
+                    DrawResiduals(screen, calibration);
+                }
             }
             catch (InputException)
             {
@@ -50,6 +53,17 @@ namespace LaserTracking.Editor
                 Vector2D sigmaM = SigmaM(geometry, at) * Magnification;
                 Gizmos.DrawLine(World(screen, at.X - sigmaM.X, at.Y), World(screen, at.X + sigmaM.X, at.Y));
                 Gizmos.DrawLine(World(screen, at.X, at.Y - sigmaM.Y), World(screen, at.X, at.Y + sigmaM.Y));
+            }
+        }
+
+        /// <summary>From each check point to where the calibration puts it, ten times as far.</summary>
+        private static void DrawResiduals(ScreenSurface screen, RangeCalibration calibration)
+        {
+            Gizmos.color = Color.red;
+            foreach (ScreenResidual residual in calibration.Residuals)
+            {
+                Vector2D to = residual.ScreenM + residual.OffMm * (1e-3 * Magnification);
+                Gizmos.DrawLine(World(screen, residual.ScreenM.X, residual.ScreenM.Y), World(screen, to.X, to.Y));
             }
         }
 

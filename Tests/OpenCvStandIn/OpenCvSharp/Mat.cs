@@ -11,6 +11,7 @@ namespace OpenCvSharp
         private int _capacity;
         private MatType _type;
         private int _step;
+        private bool _isBorrowed;
 
         public Mat()
         {
@@ -18,6 +19,10 @@ namespace OpenCvSharp
                 throw FakeWebcam.LibraryProblem;
             FakeWebcam.MatsAlive++;
         }
+
+        /// <summary>Memory of the caller's; not copied, not freed.</summary>
+        public static Mat FromPixelData(int rows, int cols, MatType type, IntPtr data, long step = 0) =>
+            new Mat { Rows = rows, Cols = cols, _type = type, _step = (int)step, _memory = data, _isBorrowed = true };
 
         public int Cols { get; private set; }
 
@@ -31,7 +36,8 @@ namespace OpenCvSharp
 
         internal override void Release()
         {
-            Marshal.FreeHGlobal(_memory);
+            if (!_isBorrowed)
+                Marshal.FreeHGlobal(_memory);
             FakeWebcam.MatsAlive--;
         }
 

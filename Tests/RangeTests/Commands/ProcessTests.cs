@@ -29,6 +29,26 @@ namespace LaserTracking.Commands
         }
 
         [Test]
+        public void Record_Killed_GivesEveryFrameThatWasInTheFile()
+        {
+            const int FrameBytes = 320 * 180 * 3 / 2;
+            using var folder = new TemporaryFolder();
+            File.WriteAllText(folder.File("s.json"), "{\"name\":\"s\",\"seed\":3,\"duration_s\":600,\"color_camera\":{\"width\":320,\"height\":180,\"format\":\"nv12\"}}");
+            using (var range = new RangeProcess(folder.Path, null, "record", "s.json", "--out", "r.mkv"))
+            {
+                WaitFor(() => File.Exists(folder.File("r.mkv")) && new FileInfo(folder.File("r.mkv")).Length > 30 * FrameBytes);
+                range.Kill();
+            }
+
+            (int exitCode, string output, _) = CommandLine.Run("info", folder.File("r.mkv"));
+            Assert.That(exitCode, Is.EqualTo(ExitCodes.Done));
+            Assert.That(output, Does.Contain("\"truncated\": true").And.Contain("stopped before it could finish"));
+            long frames = long.Parse(Regex.Match(output, "\"captures\": ([0-9]+)").Groups[1].Value, System.Globalization.CultureInfo.InvariantCulture);
+            Assert.That(frames, Is.EqualTo(new FileInfo(folder.File("r.mkv")).Length / FrameBytes), "every frame that was in the file");
+            Assert.That(frames, Is.GreaterThanOrEqualTo(29));
+        }
+
+        [Test]
         [Category("Reference")]
         public void Replay_CtrlCWhilePaced_EndsAtOnceWithAWholeFile()
         {

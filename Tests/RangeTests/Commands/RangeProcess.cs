@@ -38,6 +38,13 @@ namespace LaserTracking.Commands
             kill.WaitForExit();
         }
 
+        /// <summary>What no program can answer to: SIGKILL.</summary>
+        public void Kill()
+        {
+            _process.Kill();
+            _process.WaitForExit();
+        }
+
         public (int ExitCode, string Error) WaitForExit()
         {
             Assert.That(_process.WaitForExit(LimitMs), Is.True, "the program hangs");

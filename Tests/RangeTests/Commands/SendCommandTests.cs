@@ -13,6 +13,7 @@ namespace LaserTracking.Commands
     public sealed class SendCommandTests
     {
         private const string KeyText = "00112233445566778899aabbccddeeff";
+        private const string Header = "{\"type\":\"header\",\"v\":1,\"tool\":\"range\",\"version\":\"0.1.0\",\"inputs\":[],\"calibration\":null,\"detector\":\"shots\",\"seed\":null}";
 
         [Test]
         public void Send_Events_ArriveSigned()
@@ -21,7 +22,7 @@ namespace LaserTracking.Commands
             File.WriteAllText(folder.File("key"), KeyText + "\n");
             File.WriteAllLines(folder.File("events.jsonl"),
             [
-                "{\"type\":\"header\",\"v\":1,\"tool\":\"range\",\"version\":\"0.1.0\",\"inputs\":[],\"calibration\":null,\"detector\":\"shots\",\"seed\":null}",
+                Header,
                 Shot(1, 1000), Shot(2, 60000),
                 "{\"type\":\"hand\",\"frame\":1,\"time_us\":70000,\"hand\":\"left\",\"palm_m\":[1,1,-2],\"muzzle_m\":[1,1,-2],\"depth_source\":\"measured\",\"track\":4}",
                 "{\"type\":\"end\",\"frames\":2,\"dropped\":0,\"seconds_media\":1,\"seconds_wall\":1}",
@@ -45,6 +46,53 @@ namespace LaserTracking.Commands
             var poses = new RemotePose[RemoteInbox.PoseCapacity];
             int count = receiver.Inbox.CopyPoses(poses);
             Assert.That(poses.Take(count).Select(pose => pose.Space), Is.EquivalentTo(new[] { RemoteSpace.ScreenM, RemoteSpace.CameraMm }));
+        }
+
+        [Test]
+        public void Send_ThroughAFile_IsReceivedAsEvents()
+        {
+            using var folder = new TemporaryFolder();
+            File.WriteAllLines(folder.File("events.jsonl"), [Header, Shot(1, 1000), Shot(2, 60000), Shot(7, 90000)]);
+            using var receiver = new RangeProcess(folder.Path, null, "receive", "--from-file", "detector.json", "--shots", "3", "--seconds", "20");
+            string lines = receiver.Output.ReadLine() + "\n";
+            (int exitCode, string output, string error) = CommandLine.Run("send", folder.File("events.jsonl"), "--to-file", folder.File("detector.json"));
+            lines += receiver.Output.ReadToEnd();
+            (int receivedCode, string told) = receiver.WaitForExit();
+            Assert.That(receivedCode, Is.EqualTo(ExitCodes.Done), told);
+            Assert.That(told, Does.EndWith("detector.json: 3 shots, 0 hands, 0 published rays\n"));
+            File.WriteAllText(folder.File("received.jsonl"), lines);
+            Assert.That((exitCode, error), Is.EqualTo((ExitCodes.Done, "")));
+            Assert.That(output, Does.StartWith("3 shots, 0 hands sent"));
+            var received = new LaserTracking.Session.SessionRecorder();
+            LaserTracking.Host.Events.EventReader.Read(folder.File("received.jsonl"), received);
+            Assert.That(received.ShotsByTime().Select(shot => (shot.Shot.Id, shot.ScreenM.X, shot.HasHit)), Is.EqualTo(new[] { (1, 1.2, false), (2, 1.2, false), (7, 1.2, false) }));
+        }
+
+        [Test]
+        public void Receive_NothingComes_IsOverAfterItsTimeWithAFailedCheck()
+        {
+            using var folder = new TemporaryFolder();
+            (int exitCode, string output, string error) = CommandLine.Run("receive", "--listen", "127.0.0.1:0", "--shots", "1", "--seconds", "0.05", "--events", folder.File("received.jsonl"));
+            Assert.That((exitCode, output), Is.EqualTo((ExitCodes.CheckFailed, "")));
+            Assert.That(error, Does.Contain("0 shots, 0 hands"));
+            Assert.That(File.ReadLines(folder.File("received.jsonl")).Count(), Is.EqualTo(2), "header and end");
+        }
+
+        [Test]
+        public void Receive_BadLine_IsRefused()
+        {
+            using var folder = new TemporaryFolder();
+            CommandLine.AssertRefused("anybody on the network", "receive", "--listen", "0.0.0.0:0");
+            CommandLine.AssertRefused("is no HOST:PORT", "receive", "--listen", "here:x");
+            CommandLine.AssertRefused("is no address", "receive", "--allow", "somebody");
+            CommandLine.AssertRefused("belong to the network", "receive", "--from-file", folder.File("a"), "--listen", "127.0.0.1:9");
+            CommandLine.AssertRefused("also read", "receive", "--from-file", folder.File("a"), "--events", folder.File("a"));
+            CommandLine.AssertRefused("no name for a file", "receive", "--from-file", "");
+            CommandLine.AssertRefused("no name for a file", "receive", "--from-file", folder.Path);
+            CommandLine.AssertRefused("--seconds", "receive", "--seconds", "-1");
+            CommandLine.AssertRefused("--to names another way", "send", "--shot", "1,1", "--to-file", folder.File("a"), "--to", "127.0.0.1:9");
+            CommandLine.AssertRefused("is not signed", "send", "--shot", "1,1", "--to-file", folder.File("a"), "--key-file", folder.File("k"));
+            CommandLine.AssertRefused("cannot be written", "send", "--shot", "1,1", "--to-file", Path.Combine(folder.File("none"), "a"));
         }
 
         [Test]

@@ -52,6 +52,7 @@ namespace UnityStandIn
             ConsoleLog.Clear();
             JobWorkers.Reset();
             Desk.Reset();
+            GizmoLines.Drawn.Clear();
             WebCams.Reset();
             Time.frameCount = 0;
             Time.timeAsDouble = Time.fixedTimeAsDouble = 0;

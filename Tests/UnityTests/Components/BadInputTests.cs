@@ -108,8 +108,7 @@ namespace LaserTracking.Unity
         public void HandCameraThatCannotOpen_IsOneMessageAndTheRangePlays()
         {
             var rig = new RangeRig(new StubSource(45, 0, (30, 320, 240)));
-            string calibration = RangeRig.Calibration.TrimEnd('}') + ",\"hand_camera\":{\"image_size\":[640,576],\"K\":[[500,0,320],[0,500,288],[0,0,1]],\"R\":[[1,0,0],[0,1,0],[0,0,1]],\"T\":[0,0,-2000]}}";
-            SerializedFields.Set(rig.Screen, "_calibration", new TextAsset(calibration));
+            SerializedFields.Set(rig.Screen, "_calibration", new TextAsset(RangeRig.TwoCameraCalibration));
             StubSourceAsset hands = ScriptableObject.CreateInstance<StubSourceAsset>();
             hands.Create = () => throw new InputException("camera 1", "is not there", "plug it in");
             SerializedFields.Set(rig.Range, "_handSource", hands);

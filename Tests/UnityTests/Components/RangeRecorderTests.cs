@@ -83,6 +83,32 @@ namespace LaserTracking.Unity
         }
 
         [Test]
+        public void RangeRecorder_SourceThatKnowsItsDevicesCalibration_HasItInTheRecording()
+        {
+            var rig = new RangeRig(new StubSource(20, 0));
+            byte[] json = { (byte)'{', (byte)'}' };
+            // As a device that is opened by its own thread: known with the first frame.
+            rig.SourceAsset.Create = () =>
+            {
+                rig.SourceAsset.Device = json;
+                return rig.Source;
+            };
+            RangeRecorder recorder = Add(rig);
+            rig.Play(1);
+            using KinectRecording recording = KinectRecording.Open(Path.Combine(recorder.SessionFolder, SessionLog.ScreenFramesName));
+            Assert.That(recording.TryReadCalibration(out byte[] read), Is.True);
+            Assert.That(read, Is.EqualTo(json));
+
+            string streaming = Desk.StreamingAssetsPath;
+            Desk.StreamingAssetsPath = recorder.SessionFolder;
+            RecordingSource source = ScriptableObject.CreateInstance<RecordingSource>();
+            SerializedFields.Set(source, "_file", SessionLog.ScreenFramesName);
+            source.CreateSource(rig.Range).Dispose();
+            Desk.StreamingAssetsPath = streaming;
+            Assert.That(source.DeviceCalibration, Is.EqualTo(json), "it goes from recording to recording");
+        }
+
+        [Test]
         public void RangeRecorder_Replay_FindsTheSameShotsAndHits()
         {
             var rig = new RangeRig(new StubSource(60, 0, (10, 320, 240), (30, 100, 100)));
@@ -110,6 +136,20 @@ namespace LaserTracking.Unity
             Assert.That(rig.Shots.Select(s => s.HasHit), Is.EqualTo(new[] { true, false }));
             Assert.That(Replay(recorder.SessionFolder).Select(s => s.HasHit), Is.EqualTo(new[] { true, false }));
             Assert.That(File.ReadLines(Path.Combine(recorder.SessionFolder, SessionLog.SceneFileName)).Count(), Is.GreaterThan(20));
+        }
+
+        [Test]
+        public void RangeRecorder_ScreenAndEyeThatMove_AreWhereTheyWereInTheReplay()
+        {
+            // They stand before the plate only around the first flash.
+            var rig = new RangeRig(new StubSource(60, 0, (10, 320, 240), (40, 320, 240)));
+            RangeRig.AddPlate("plate", new Vector3(0, 0, 4), 0.5f).gameObject.SetActive(true);
+            rig.Screen.gameObject.AddComponent<Slider>();
+            rig.Range.Viewpoint!.gameObject.AddComponent<Slider>();
+            RangeRecorder recorder = Add(rig);
+            rig.Play(2.2);
+            Assert.That(rig.Shots.Select(s => s.HasHit), Is.EqualTo(new[] { true, false }));
+            Assert.That(Replay(recorder.SessionFolder).Select(s => s.HasHit), Is.EqualTo(new[] { true, false }));
         }
 
         [Test]
@@ -196,6 +236,11 @@ namespace LaserTracking.Unity
         }
 
         /// <summary>Puts its object far away after half a second.</summary>
+        private sealed class Slider : MonoBehaviour
+        {
+            private void Update() => transform.position = new Vector3(Time.timeAsDouble < 0.6 ? 0 : 3, 0, transform.position.z);
+        }
+
         private sealed class Mover : MonoBehaviour
         {
             private void Update()

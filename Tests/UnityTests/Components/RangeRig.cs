@@ -43,6 +43,9 @@ namespace LaserTracking.Unity
         public static string Calibration =>
             "{\"v\":1,\"kind\":\"screen\",\"image_size\":[640,480],\"screen_m\":[3.73,2.26],\"H\":[[0.005828125,0,0],[0,0.004708333333,0],[0,0,1]]}";
 
+        public static string TwoCameraCalibration =>
+            Calibration.TrimEnd('}') + ",\"hand_camera\":{\"image_size\":[640,576],\"K\":[[500,0,320],[0,500,288],[0,0,1]],\"R\":[[1,0,0],[0,1,0],[0,0,1]],\"T\":[0,0,-2000]}}";
+
         public StubSource Source { get; set; }
 
         public StubSourceAsset SourceAsset { get; }

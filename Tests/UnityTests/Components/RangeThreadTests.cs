@@ -136,6 +136,48 @@ namespace LaserTracking.Unity
             Assert.That(rig.Shots[0].HasScreenPosition, Is.True);
         }
 
+        [TestCase(0)]
+        [TestCase(5)]
+        public void LaserRange_Camera1UnpluggedAndBack_IsLookedForWhileCamera0PlaysOn(int breaksAfter)
+        {
+            RangeRig rig = LiveRig(new StubSource(100_000, 0) { PaceMs = 2 });
+            SerializedFields.Set(rig.Screen, "_calibration", new TextAsset(RangeRig.TwoCameraCalibration));
+            StubSourceAsset hands = ScriptableObject.CreateInstance<StubSourceAsset>();
+            (hands.Live, hands.Latency) = (true, 0.05);
+            var back = new StubSource(100_000, 0) { PaceMs = 2 };
+            int tries = 0;
+            hands.Create = () => ++tries == 1 ? new StubSource(10, 0) { BreaksAfter = breaksAfter } : tries < 4 ? throw new InputException("camera 1", "not there", "plug it in") : back;
+            SerializedFields.Set(rig.Range, "_handSource", hands);
+            rig.Range.gameObject.SetActive(true);
+            Until(() => back.Reader != null, 0.25);
+            Until(() => rig.Health.Any(health => health.Text.EndsWith("is there again")), 0.25);
+            Assert.That((tries, rig.Range.IsRunning), Is.EqualTo((4, true)));
+            string[] said = rig.Health.Where(health => health.Text.Contains("camera 1,")).Select(health => health.Text).ToArray();
+            Assert.That(said, Has.Length.EqualTo(2));
+            Assert.That(said[0], Does.Contain("gives no more pictures, so nobody knows who fires"));
+            rig.Range.enabled = false;
+            Assert.That(SpinWait.SpinUntil(() => back.IsDisposed, 2000), Is.True);
+        }
+
+        [Test]
+        public void LaserRange_Camera1MissingAtStart_SaysSoOnceAndJoinsWhenItComes()
+        {
+            RangeRig rig = LiveRig(new StubSource(100_000, 0) { PaceMs = 2 });
+            SerializedFields.Set(rig.Screen, "_calibration", new TextAsset(RangeRig.TwoCameraCalibration));
+            StubSourceAsset hands = ScriptableObject.CreateInstance<StubSourceAsset>();
+            hands.Live = true;
+            bool isThere = false;
+            var source = new StubSource(100_000, 0) { PaceMs = 2 };
+            hands.Create = () => isThere ? source : throw new InputException("camera 1", "not there", "plug it in");
+            SerializedFields.Set(rig.Range, "_handSource", hands);
+            rig.Range.gameObject.SetActive(true);
+            for (int i = 0; i < 20; i++)
+                PlayerLoop.Step(0.5);
+            Assert.That(rig.Health.Single(health => health.Kind == HealthKind.SetUp).Text, Is.EqualTo("camera 1: not there; plug it in; until it is there nobody knows who fires"));
+            isThere = true;
+            Until(() => source.Reader != null, 0.25);
+        }
+
         [Test]
         public void LaserRange_SourceThatBreaksInTheMiddle_SaysWhyAndKeepsTheShotsBefore()
         {

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using System.Net;
 using System.Net.Sockets;
@@ -46,9 +47,14 @@ namespace LaserTracking.Unity
             "{\"v\":1,\"stream\":5,\"counter\":" + id + ",\"sent_us\":" + (DateTime.UtcNow - DateTime.UnixEpoch).Ticks / 10 + ",\"type\":\"shot\",\"id\":" + id
             + ",\"time_us\":1,\"confidence\":0.9,\"screen_m\":" + screenM + ",\"screen_cov_mm2\":[1,0,1]}";
 
-        private static void Play(Func<bool> until)
+        private sealed class WallClock : IClock
         {
-            for (int i = 0; i < 500 && !until(); i++)
+            public long NowUs => (DateTime.UtcNow - DateTime.UnixEpoch).Ticks / 10;
+        }
+
+        private static void Play(Func<bool> until, int most = 500)
+        {
+            for (int i = 0; i < most && !until(); i++)
             {
                 Thread.Sleep(10);
                 PlayerLoop.Step(1 / 60.0);
@@ -126,6 +132,64 @@ namespace LaserTracking.Unity
             Assert.That((_shots[0].HasHit, _shots[0].Hit.Target), Is.EqualTo((true, "runner")));
         }
 
+        [TestCase(1.5f, true)]
+        [TestCase(0f, false)]
+        public void RemoteInput_ScreenAndEyeMovedSince_ShotGoesThroughThemAsTheyStood(float latencyS, bool hits)
+        {
+            RangeRig.AddPlate("plate", new Vector3(0, 0, 4), 0.4f).gameObject.SetActive(true);
+            RemoteInput input = Create();
+            SerializedFields.Set(input, "_latencyS", latencyS);
+            input.gameObject.SetActive(true);
+            PlayerLoop.Step(1);
+            PlayerLoop.Step(0.01);
+            input.Screen!.transform.position += new Vector3(3, 0, 0);
+            input.Viewpoint!.position += new Vector3(3, 0, 0);
+            // Far enough for what a busy machine needs to bring a packet.
+            PlayerLoop.Step(0.5);
+            PlayerLoop.Step(0.5);
+            Send(input.EndPoint!, Shot(1, "[1.865,1.13]"));
+            Play(() => _shots.Count == 1, 20);
+            Assert.That(_shots.Select(shot => shot.HasHit), Is.EqualTo(new[] { hits }));
+        }
+
+        [Test]
+        public void RemoteInput_File_BringsEveryShotOnceAndNoPort()
+        {
+            LaserTarget plate = RangeRig.AddPlate("plate", new Vector3(0, 0, 4), 0.5f);
+            plate.gameObject.SetActive(true);
+            string folder = Directory.CreateTempSubdirectory("remote-file-").FullName;
+            try
+            {
+                RemoteInput input = Create();
+                SerializedFields.Set(input, "_file", Path.Combine(folder, "detector.json"));
+                input.gameObject.SetActive(true);
+                Assert.That(input.EndPoint, Is.Null);
+                using (var sender = new RemoteFileSender(Path.Combine(folder, "detector.json"), new WallClock()))
+                {
+                    for (int id = 1; id <= 3; id++)
+                    {
+                        ShotEvent shot = default;
+                        shot.Shot.Id = id;
+                        shot.Shot.Dot.Confidence = 1;
+                        shot.HasScreenPosition = true;
+                        shot.ScreenM = new Vector2D(1.865, 1.13);
+                        sender.SendShot(shot);
+                        Play(() => _shots.Count == id);
+                    }
+                }
+
+                Play(() => false, 5);
+                Assert.That(_shots.Select(shot => (shot.Shot.Id, shot.HasHit)), Is.EqualTo(new[] { (1, true), (2, true), (3, true) }));
+                input.enabled = false;
+                Assert.That(input.Inbox, Is.Null);
+                Assert.That(ConsoleLog.Entries, Is.Empty);
+            }
+            finally
+            {
+                Directory.Delete(folder, true);
+            }
+        }
+
         [Test]
         public void RemoteInput_Garbage_IsOneWarning()
         {
@@ -136,6 +200,60 @@ namespace LaserTracking.Unity
             Play(() => input.Inbox!.Dropped(RemoteDrop.NotJson) == 2);
             PlayerLoop.Step(1 / 60.0);
             Assert.That(ConsoleLog.Entries.Single().Message, Does.StartWith("remote input: a packet is not a JSON object"));
+        }
+
+        [Test]
+        public void RemoteInput_HostilePackets_AreOneMessageEachAndTheGenuineShotComesThrough()
+        {
+            const string KeyText = "00112233445566778899aabbccddeeff";
+            string file = Path.GetTempFileName();
+            File.WriteAllText(file, KeyText);
+            try
+            {
+                RemoteInput input = Create();
+                SerializedFields.Set(input, "_keyFile", file);
+                var told = new List<string>();
+                input.HealthChanged += health => told.Add(health.Text);
+                input.gameObject.SetActive(true);
+                byte[] genuine = Sign(Shot(1, "[1.865,1.13]"), KeyText), forged = (byte[])genuine.Clone();
+                forged[^1] = (byte)(forged[^1] == '0' ? '1' : '0');
+                byte[] stale = Sign(System.Text.RegularExpressions.Regex.Replace(Shot(2, "[1,1]"), "\"sent_us\":[0-9]+", "\"sent_us\":1700000000000000"), KeyText), notUtf8 = Sign("{\"v\":1,\"\u00e9\":1}", KeyText, Encoding.Latin1);
+                byte[][] hostile = { forged, Encoding.UTF8.GetBytes(Shot(3, "[1,1]")), stale, notUtf8, new byte[3000], Sign(Shot(4, "[NaN,1]"), KeyText), Sign(Shot(5, "[1e9,1]"), KeyText) };
+                SendAll(input.EndPoint!, genuine);
+                Play(() => _shots.Count == 1);
+                for (int i = 0; i < 3; i++)
+                {
+                    SendAll(input.EndPoint!, genuine);
+                    SendAll(input.EndPoint!, hostile);
+                }
+
+                SendAll(input.EndPoint!, Sign(Shot(6, "[1.865,1.13]"), KeyText));
+                Play(() => _shots.Count == 2);
+                PlayerLoop.Step(1 / 60.0);
+                RemoteDrop[] reasons = { RemoteDrop.Replayed, RemoteDrop.Forged, RemoteDrop.Unsigned, RemoteDrop.Stale, RemoteDrop.NotUtf8, RemoteDrop.Oversized, RemoteDrop.NotJson, RemoteDrop.OutOfRange };
+                Assert.That(reasons.Select(reason => input.Inbox!.Dropped(reason)), Is.All.EqualTo(3));
+                Assert.That(_shots.Select(shot => shot.Shot.Id), Is.EqualTo(new[] { 1, 6 }));
+                Assert.That(told, Has.Count.EqualTo(reasons.Length).And.Unique);
+                Assert.That(ConsoleLog.Entries.Select(entry => entry.Message), Is.EquivalentTo(told));
+            }
+            finally
+            {
+                File.Delete(file);
+            }
+        }
+
+        private static byte[] Sign(string text, string key, Encoding? encoding = null)
+        {
+            byte[] body = (encoding ?? Encoding.UTF8).GetBytes(text);
+            string signature = Convert.ToHexStringLower(System.Security.Cryptography.HMACSHA256.HashData(Convert.FromHexString(key), body));
+            return body.Append((byte)'\n').Concat(Encoding.ASCII.GetBytes(signature)).ToArray();
+        }
+
+        private static void SendAll(IPEndPoint to, params byte[][] packets)
+        {
+            using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+            foreach (byte[] packet in packets)
+                socket.SendTo(packet, to);
         }
 
         [Test]

@@ -12,6 +12,23 @@ namespace LaserTracking.Unity
     public sealed class ShotVisualsTests : StandInTests
     {
         [Test]
+        public void ShotVisuals_TargetWithAPropertyBlockOfItsOwn_HasItBackAfterTheFlash()
+        {
+            var rig = new RangeRig(new StubSource(60, 0, (30, 320, 240), (34, 320, 240)));
+            LaserTarget target = RangeRig.AddPlate("Plate 1", new Vector3(0, 0, 4), 0.5f);
+            target.gameObject.SetActive(true);
+            var own = new MaterialPropertyBlock();
+            own.SetColor(Shader.PropertyToID("_Color"), Color.cyan);
+            target.GetComponent<Renderer>().SetPropertyBlock(own);
+            ShotVisuals visuals = Add(rig);
+            PlayTo(rig, () => rig.Shots.Count == 1);
+            Assert.That(ColorOf(target.GetComponent<Renderer>(), "_Color"), Is.Not.EqualTo(Color.cyan));
+            rig.Play(1);
+            Assert.That(visuals.IsLit(target), Is.False);
+            Assert.That(ColorOf(target.GetComponent<Renderer>(), "_Color"), Is.EqualTo(Color.cyan));
+        }
+
+        [Test]
         public void ShotVisuals_Hit_LeavesAHoleARayAndALitTargetInTheShootersColor()
         {
             var rig = new RangeRig(new StubSource(60, 0, (30, 320, 240)));

@@ -12,6 +12,10 @@ namespace LaserTracking.Unity
 
         public bool Live { get; set; }
 
+        public byte[]? Device { get; set; }
+
+        public override byte[]? DeviceCalibration => Device;
+
         public override bool IsLive => Live;
 
         public long OffsetUs { get; set; }

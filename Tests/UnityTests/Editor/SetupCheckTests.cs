@@ -153,6 +153,18 @@ namespace LaserTracking.Unity
             Assert.That(() => RangeGizmos.Draw(rig.Range, GizmoType.Selected), Throws.Nothing);
         }
 
+        [Test]
+        public void Gizmos_CalibrationWithCheckPoints_DrawsHowFarItIsOff()
+        {
+            var rig = new RangeRig(new StubSource(1, 0));
+            SerializedFields.Set(rig.Screen, "_calibration", new TextAsset(RangeRig.Calibration.TrimEnd('}') + ",\"residuals_mm\":[[1.865,1.13,20,0],[0,0,0,-30]]}"));
+            RangeGizmos.Draw(rig.Range, GizmoType.Selected);
+            var lines = GizmoLines.Drawn.Where(line => line.Color.Equals(Color.red)).ToArray();
+            Assert.That(lines, Has.Length.EqualTo(2));
+            Assert.That(new[] { lines[0].From.magnitude, lines[0].To.x }, Is.EqualTo(new[] { 0f, 0.2f }).Within(1e-5), "20 mm, ten times as far");
+            Assert.That((lines[1].To - lines[1].From).y, Is.EqualTo(0.3f).Within(1e-5), "screen space's y goes down");
+        }
+
         private static string Next(SetupFacts facts) => SetupCheck.NextStep(SetupCheck.Check(facts));
 
         private static void Call(object target, string message) =>

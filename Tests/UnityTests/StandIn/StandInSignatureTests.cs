@@ -78,7 +78,7 @@ namespace LaserTracking.Unity
             if (!Check(list, name, wrong))
                 return wrong;
             // C# 9 has no record structs; to whoever uses one it is a struct.
-            if (list.KindOf(name).Replace("readonly record struct", "struct") != SignatureText.Kind(type))
+            if (list.KindOf(name).Replace("readonly record struct", "struct").Replace("record struct", "struct") != SignatureText.Kind(type))
                 wrong.Add(name + " is \"" + SignatureText.Kind(type) + "\", Unity's is \"" + list.KindOf(name) + "\"");
             IEnumerable<Type> bases = type.GetInterfaces().Except(type.BaseType?.GetInterfaces() ?? Type.EmptyTypes);
             Type[] roots = { typeof(object), typeof(ValueType), typeof(Enum) };

@@ -29,7 +29,7 @@ namespace LaserTracking.Kinect
         protected string CameraName => "Kinect" + (_serialNumber.Length > 0 ? " " + _serialNumber : "");
 
         /// <summary>The device's factory calibration, JSON, as recordings carry it; null until the camera ran once in this session.</summary>
-        public byte[]? RawCalibration => _camera?.RawCalibration;
+        public override byte[]? DeviceCalibration => _camera?.RawCalibration;
 
         /// <summary>Reads the factory calibration for 1280×720 colour and a depth mode's pictures.</summary>
         /// <param name="depthMode">Of the infrared and depth pictures.</param>
@@ -37,7 +37,7 @@ namespace LaserTracking.Kinect
         /// <param name="reason">Why there is none, one line.</param>
         public bool TryReadCalibration(KinectDepthMode depthMode, out KinectCalibration? calibration, out string reason)
         {
-            byte[]? raw = RawCalibration;
+            byte[]? raw = DeviceCalibration;
             if (raw != null)
                 return KinectCalibration.TryRead(raw, depthMode, ColorHeight * 16 / 9, ColorHeight, out calibration, out reason);
             calibration = null;

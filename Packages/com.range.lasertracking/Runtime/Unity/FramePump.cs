@@ -20,7 +20,8 @@ namespace LaserTracking.Unity
         private readonly object _lock = new object();
         private readonly RangePipeline _pipeline;
         private readonly IFrameSource _screenCamera;
-        private readonly IFrameSource? _handCamera;
+        private IFrameSource? _handCamera;
+        private LiveFrameSource? _newHands;
         private readonly SessionRunner _runner;
         private readonly SceneClock _clock;
         private readonly IDisposable? _handModel;
@@ -87,6 +88,23 @@ namespace LaserTracking.Unity
                 lock (_lock)
                     return _hasFailed;
             }
+        }
+
+        /// <summary>Camera 1 is not there, or gives no more frames.</summary>
+        public bool HasNoHands
+        {
+            get
+            {
+                lock (_lock)
+                    return _newHands == null && (_handCamera == null || (_handCamera as LiveFrameSource)?.HasEnded == true);
+            }
+        }
+
+        /// <summary>Takes camera 1, which was not there; owned from now on.</summary>
+        public void SetHands(LiveFrameSource camera)
+        {
+            lock (_lock)
+                _newHands = camera;
         }
 
         /// <summary>Seconds to add to Unity's time for the scene's clock.</summary>
@@ -184,6 +202,7 @@ namespace LaserTracking.Unity
                 _runner.Dispose();
                 _handModel?.Dispose();
                 _handCamera?.Dispose();
+                _newHands?.Dispose();
                 _screenCamera.Dispose();
             }
             catch (Exception problem)
@@ -233,11 +252,26 @@ namespace LaserTracking.Unity
         {
             Action<Frame>? look;
             lock (_lock)
+            {
                 look = _look;
+                TakeNewHands();
+            }
+
             if (look == null)
                 _runner.ProcessCurrent();
             else
                 look(_runner.Current);
+        }
+
+        private void TakeNewHands()
+        {
+            if (_newHands == null)
+                return;
+            // It has ended, so that this does not wait.
+            _handCamera?.Dispose();
+            _handCamera = _newHands;
+            _runner.SetLiveHands(_newHands);
+            _newHands = null;
         }
 
         /// <summary>Once for each time that it doubles: a machine that is too slow must not fill the Console.</summary>

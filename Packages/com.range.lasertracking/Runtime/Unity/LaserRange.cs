@@ -47,7 +47,10 @@ namespace LaserTracking.Unity
         private bool _isOpen;
         private bool _isLost;
         private bool _isPrepared;
+        private bool _wantsHands;
+        private bool _hasNoHands;
         private double _retryAtS;
+        private double _handRetryAtS;
 
         /// <summary>Raised for every dot of the newest frame since the last Update; older frames' are passed over.</summary>
         public event Action<DotEvent>? DotMoved;
@@ -69,9 +72,22 @@ namespace LaserTracking.Unity
             }
         }
 
-        internal FrameSourceAsset? HandSource => _handSource == null ? null : _handSource;
+        /// <summary>Where camera 1's frames come from; another one plays from the next Update on.</summary>
+        public FrameSourceAsset? HandSource
+        {
+            get => _handSource == null ? null : _handSource;
+            set
+            {
+                Close();
+                _handSource = value;
+            }
+        }
 
         internal string HandModelFile => _handModelFile;
+
+        internal double SceneClockOffsetS => _pump?.ClockOffsetS ?? 0;
+
+        private protected override double ClockOffsetS => SceneClockOffsetS;
 
         /// <summary>Records what the detector gets, when there is one.</summary>
         internal RangeRecorder? Recorder { get; private set; }
@@ -146,6 +162,8 @@ namespace LaserTracking.Unity
             RaiseEvents();
             if (_pump != null && _source!.IsLive && _pump.IsAtEnd)
                 Lose(_pump);
+            if (_pump != null && _wantsHands && _pump.HasNoHands)
+                LookForHands(_pump);
         }
 
         private void TellTime(FramePump pump)
@@ -177,6 +195,9 @@ namespace LaserTracking.Unity
             try
             {
                 _pump = opening.Open(_events, _look);
+                _wantsHands = opening.WantsHands;
+                _hasNoHands = !opening.HasHands;
+                _handRetryAtS = Time.timeAsDouble + RetryS;
                 if (isRetry)
                     Report("LaserRange " + name + ": the camera of " + _source.name + " is there again", false);
                 if (!_isPrepared && (Screen == null || opening.HasCalibration))
@@ -208,6 +229,36 @@ namespace LaserTracking.Unity
                 Report("LaserRange " + name + ": the camera of " + _source!.name + " gives no more pictures; check its cable, it is looked for every " + RetryS + " seconds", true);
             ClosePump();
             WaitForCamera();
+        }
+
+        /// <summary>Camera 1 is looked for while camera 0 plays on.</summary>
+        private void LookForHands(FramePump pump)
+        {
+            FrameSourceAsset asset = _handSource!;
+            if (!_hasNoHands)
+            {
+                _hasNoHands = true;
+                _handRetryAtS = Time.timeAsDouble + RetryS;
+                Report("LaserRange " + name + ": camera 1, " + asset.name + ", gives no more pictures, so nobody knows who fires; check its cable, it is looked for every " + RetryS + " seconds", true);
+            }
+
+            if (Time.timeAsDouble < _handRetryAtS)
+                return;
+            _handRetryAtS = Time.timeAsDouble + RetryS;
+            asset.ReleaseSource();
+            try
+            {
+                if (RangeOpening.OnThread(asset.CreateSource(this), asset) is LiveFrameSource camera)
+                {
+                    pump.SetHands(camera);
+                    _hasNoHands = false;
+                    Report("LaserRange " + name + ": camera 1, " + asset.name + ", is there again", false);
+                }
+            }
+            catch (InputException)
+            {
+                // Still not there, which was said.
+            }
         }
 
         private void WaitForCamera()

@@ -31,6 +31,12 @@ namespace LaserTracking.Unity
         /// <summary>Shots will have a place on the screen.</summary>
         public bool HasCalibration { get; private set; }
 
+        /// <summary>Camera 1 could be opened.</summary>
+        public bool HasHands { get; private set; }
+
+        /// <summary>Camera 1 may be plugged in later.</summary>
+        public bool WantsHands { get; private set; }
+
         /// <param name="events">Where what it finds goes.</param>
         /// <param name="look">Takes the frames instead of the detector; or null.</param>
         /// <exception cref="InputException">The source or its calibration cannot be used; nothing stays open.</exception>
@@ -45,13 +51,15 @@ namespace LaserTracking.Unity
                 HasCalibration = calibration != null;
                 if (calibration?.HandCamera != null)
                     handSource = OpenHandSource();
+                HasHands = handSource != null;
                 FrameSourceAsset? handAsset = _range.HandSource;
-                long handClockOffsetUs = handSource == null ? 0 : handAsset == null ? _asset.HandClockOffsetUs : handAsset.ClockOffsetUs;
+                WantsHands = calibration?.HandCamera != null && handAsset != null && handAsset.IsLive;
+                long handClockOffsetUs = handSource == null && !WantsHands ? 0 : handAsset == null ? _asset.HandClockOffsetUs : handAsset.ClockOffsetUs;
                 KernelRunner kernels = RangeKernels.Create();
-                handModel = handSource == null ? null : OpenHandModel(kernels);
+                handModel = handSource == null && !WantsHands ? null : OpenHandModel(kernels);
                 var settings = new PipelineSettings { SceneTimeZeroUs = _asset.SceneTimeZeroUs };
                 // No scorer: rays are cast by Unity's physics, which only its own thread may ask.
-                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(null, null, kernels), calibration, handSource != null, null, events, settings, handModel, kernels);
+                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(null, null, kernels), calibration, handSource != null || WantsHands, null, events, settings, handModel, kernels);
                 pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
                 SessionLogWriter? recording = _range.Recorder?.Begin(_asset, source, handSource, handClockOffsetUs, calibration);
                 return new FramePump(pipeline, source, handSource, handClockOffsetUs, _asset, handModel, events, recording, look);
@@ -67,7 +75,7 @@ namespace LaserTracking.Unity
         }
 
         /// <summary>A device is read on a thread of its own, so that frames never wait in its driver.</summary>
-        private static IFrameSource OnThread(IFrameSource source, FrameSourceAsset asset) =>
+        internal static IFrameSource OnThread(IFrameSource source, FrameSourceAsset asset) =>
             asset.IsLive && !(source is PushedFrameSource) ? new LiveFrameSource(source) : source;
 
         /// <summary>Without it the range works, but nobody knows who fired.</summary>
@@ -83,7 +91,7 @@ namespace LaserTracking.Unity
             {
                 if (asset != null)
                     asset.ReleaseSource();
-                _warn(problem.Message + "; until the range is switched off and on again nobody knows who fires");
+                _warn(problem.Message + (asset != null && asset.IsLive ? "; until it is there nobody knows who fires" : "; until the range is switched off and on again nobody knows who fires"));
                 return null;
             }
         }

@@ -18,6 +18,7 @@ namespace LaserTracking.Unity
     /// </summary>
     [DisallowMultipleComponent]
     [RequireComponent(typeof(LaserRange))]
+    [DefaultExecutionOrder(1000)]
     [AddComponentMenu("Laser Tracking/Range Recorder")]
     public sealed class RangeRecorder : MonoBehaviour
     {
@@ -100,7 +101,7 @@ namespace LaserTracking.Unity
                     SceneTimeZeroUs = asset.SceneTimeZeroUs,
                 };
                 SessionFolder = NextFolder();
-                _writer = new SessionLogWriter(SessionFolder, log, ScreenSettings(asset, screen, calibration), hands == null || !_recordsHands ? null : Settings(asset, hands),
+                _writer = new SessionLogWriter(SessionFolder, log, ScreenSettings(asset, screen, calibration), hands == null || !_recordsHands ? null : HandSettings(asset, hands),
                     calibration == null ? null : RangeCalibrationFile.Format(calibration), scene);
                 _toldLost = 0;
                 _isToldProblem = false;
@@ -146,7 +147,7 @@ namespace LaserTracking.Unity
             if (_writer == null)
                 return;
             if (_writer.Poses != null)
-                _moved.Log(_writer.Poses, Time.timeAsDouble);
+                _moved.Log(_writer.Poses, Time.timeAsDouble, _range!.SceneClockOffsetS);
             TellTroubles(_writer);
             if (_range != null && !_range.IsRunning)
                 End(true);
@@ -155,6 +156,7 @@ namespace LaserTracking.Unity
         private FrameRecorderSettings ScreenSettings(FrameSourceAsset asset, IFrameSource source, RangeCalibration? calibration)
         {
             FrameRecorderSettings settings = Settings(asset, source);
+            settings.DeviceCalibration = () => asset.DeviceCalibration;
             settings.JpegQuality = _jpegQuality;
             if (!_screenOnly)
                 return settings;
@@ -162,6 +164,15 @@ namespace LaserTracking.Unity
                 settings.Region = region;
             else
                 Tell("the screen's place in the picture is not known, so whole pictures are recorded; calibrate it", false);
+            return settings;
+        }
+
+        /// <summary>Of camera 1, which may be an asset of its own.</summary>
+        private FrameRecorderSettings HandSettings(FrameSourceAsset asset, IFrameSource source)
+        {
+            FrameSourceAsset? own = _range!.HandSource;
+            FrameRecorderSettings settings = Settings(asset, source);
+            settings.DeviceCalibration = () => own is null ? asset.HandDeviceCalibration : own.DeviceCalibration;
             return settings;
         }
 

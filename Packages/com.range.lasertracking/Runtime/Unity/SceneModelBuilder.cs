@@ -38,7 +38,9 @@ namespace LaserTracking.Unity
             Transform? viewpoint = range.Viewpoint;
             if (screen == null || viewpoint == null)
                 throw Problem(range.transform, "its LaserRange has no " + (screen == null ? "screen" : "viewpoint"), "drag one in");
-            if (MoverOf(screen.transform) != null || MoverOf(viewpoint) != null)
+            if (builder._moved != null)
+                builder._moved.SetView(screen, viewpoint);
+            else if (MoverOf(screen.transform) != null || MoverOf(viewpoint) != null)
                 throw Problem(range.transform, "the screen or the viewpoint of its LaserRange moves", "remove TargetMotion from them and from what is above them");
             Vector3D eye = viewpoint.position.ToCore();
             if (!(screen.SizeM.X > 0 && screen.SizeM.Y > 0))

@@ -8,9 +8,11 @@ namespace LaserTracking.Unity
 {
     /// <summary>
     /// The projected picture in the scene: a rectangle around this transform, local x right, y up, z into the picture, in metres
-    /// whatever the transform's scale.
+    /// whatever the transform's scale. It may be moved, and the viewpoint too: shots go through both as they stood when the light left.
+    /// Runs after other components, so that whatever moves them has done so.
     /// </summary>
     [DisallowMultipleComponent]
+    [DefaultExecutionOrder(1000)]
     [AddComponentMenu("Laser Tracking/Screen Surface")]
     public sealed class ScreenSurface : MonoBehaviour
     {
@@ -91,6 +93,8 @@ namespace LaserTracking.Unity
 
         /// <summary>A world point in screen space, metres.</summary>
         public Vector3D WorldToScreen(Vector3D world) => Axes.SurfaceToScreen(Pose.InverseTransformPoint(world), SizeM);
+
+        private void LateUpdate() => ShotEmitters.RememberViews(this);
 
         private void OnDrawGizmos()
         {

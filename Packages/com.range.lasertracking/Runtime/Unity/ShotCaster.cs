@@ -13,14 +13,16 @@ namespace LaserTracking.Unity
     /// </summary>
     internal sealed class ShotCaster
     {
+        /// <summary>Two seconds at 60 pictures a second, as for what moves.</summary>
+        private const int HistoryLength = 128;
+
         private readonly ScreenSurface _screen;
         private readonly Transform _viewpoint;
         private readonly PhysicsRaycaster _raycaster;
         private readonly ShotScorerSettings _settings;
-        private ShotScorer? _scorer;
-        private Pose _surface;
-        private Vector2D _sizeM;
-        private Vector3D _eye;
+        private readonly ShotScorer _scorer;
+        private readonly PoseHistory _surfaces = new PoseHistory(HistoryLength);
+        private readonly PoseHistory _eyes = new PoseHistory(HistoryLength);
 
         public ShotCaster(ScreenSurface screen, Transform viewpoint, LayerMask hitLayers, AimRay aim)
         {
@@ -28,6 +30,15 @@ namespace LaserTracking.Unity
             _viewpoint = viewpoint;
             _raycaster = new PhysicsRaycaster(hitLayers);
             _settings = new ShotScorerSettings(aim);
+            _scorer = new ShotScorer(_raycaster, default, null, _settings);
+        }
+
+        /// <summary>Screen and eye may be moved while it runs: a shot goes through them as they stood when its light left.</summary>
+        /// <param name="sceneTimeS">Now, on the scene's clock.</param>
+        public void RememberView(double sceneTimeS)
+        {
+            _surfaces.Add(sceneTimeS, _screen.Pose);
+            _eyes.Add(sceneTimeS, new Pose(Eye, Rotation3D.Identity));
         }
 
         /// <summary>Completes the shot and says how it flew.</summary>
@@ -35,14 +46,14 @@ namespace LaserTracking.Unity
         /// <param name="sceneTimeS">When the light left, on the scene's clock.</param>
         public ShotTrace Cast(ref ShotEvent shot, double sceneTimeS)
         {
-            ShotScorer scorer = CurrentScorer();
+            ScreenView view = ViewAt(sceneTimeS);
             Vector3D? muzzleM = shot.HasMuzzle ? shot.MuzzleM : (Vector3D?)null;
             _raycaster.Forget();
-            shot.HasHit = scorer.TryScore(shot.ScreenM, shot.ScreenCovarianceMm2, shot.Shot.Dot.Confidence, muzzleM, sceneTimeS, out shot.Hit);
+            shot.HasHit = _scorer.TryScore(view, shot.ScreenM, shot.ScreenCovarianceMm2, shot.Shot.Dot.Confidence, muzzleM, sceneTimeS, out shot.Hit);
 
-            Vector3D dot = _screen.ScreenToWorld(new Vector3D(shot.ScreenM.X, shot.ScreenM.Y, 0));
-            Vector3D muzzle = muzzleM is Vector3D known ? _screen.ScreenToWorld(known) : _eye;
-            Vector3D origin = _settings.Aim == AimRay.Muzzle ? muzzle : _eye;
+            Vector3D dot = view.ScreenToScene(new Vector3D(shot.ScreenM.X, shot.ScreenM.Y, 0));
+            Vector3D muzzle = muzzleM is Vector3D known ? view.ScreenToScene(known) : view.Viewpoint;
+            Vector3D origin = _settings.Aim == AimRay.Muzzle ? muzzle : view.Viewpoint;
             var trace = new ShotTrace { Shot = shot, From = muzzle.ToUnity(), OnScreen = dot.ToUnity() };
             if (_raycaster.TryGetLast(out RaycastHit met, out GameObject? owner, out LaserTarget? target))
             {
@@ -60,20 +71,12 @@ namespace LaserTracking.Unity
             return trace;
         }
 
-        /// <summary>Screen and eye may be moved while it runs; a shot counts as they stand when it is cast.</summary>
-        private ShotScorer CurrentScorer()
-        {
-            Pose surface = _screen.Pose;
-            Vector2D sizeM = _screen.SizeM;
-            Vector3D eye = _viewpoint.position.ToCore();
-            if (_scorer != null && surface.Position.Equals(_surface.Position) && Same(surface.Rotation, _surface.Rotation) && sizeM.Equals(_sizeM) && eye.Equals(_eye))
-                return _scorer;
-            _surface = surface;
-            _sizeM = sizeM;
-            _eye = eye;
-            return _scorer = new ShotScorer(_raycaster, surface, sizeM, eye, null, _settings);
-        }
+        private Vector3D Eye => _viewpoint.position.ToCore();
 
-        private static bool Same(Rotation3D a, Rotation3D b) => a.X == b.X && a.Y == b.Y && a.Z == b.Z && a.W == b.W;
+        private ScreenView ViewAt(double sceneTimeS)
+        {
+            Pose surface = _surfaces.TryGetPoseAt(sceneTimeS, out Pose then) ? then : _screen.Pose;
+            return new ScreenView(surface, _screen.SizeM, _eyes.TryGetPoseAt(sceneTimeS, out Pose eye) ? eye.Position : Eye);
+        }
     }
 }

@@ -97,6 +97,12 @@ namespace LaserTracking.Unity
                 _caster = new ShotCaster(_screen, viewpoint, _hitLayers, _aim);
         }
 
+        /// <summary>Seconds to add to Unity's time for the scene's clock.</summary>
+        private protected abstract double ClockOffsetS { get; }
+
+        /// <summary>Called when everything has moved in this frame: shots fired at its picture go through this view.</summary>
+        internal void RememberView() => _caster?.RememberView(Time.timeAsDouble + ClockOffsetS);
+
         /// <summary>Casts the shot and tells everybody.</summary>
         /// <param name="shot">Complete but for its hit.</param>
         /// <param name="sceneTimeS">When its light left, on the scene's clock.</param>

@@ -21,6 +21,16 @@ namespace LaserTracking.Unity
 
         public static void Remove(ShotEmitter emitter) => Enabled.Remove(emitter);
 
+        /// <summary>Tells those who shoot at a screen that it stands for this frame where it does now.</summary>
+        public static void RememberViews(ScreenSurface screen)
+        {
+            for (int i = 0; i < Enabled.Count; i++)
+            {
+                if (Enabled[i].Screen == screen)
+                    Enabled[i].RememberView();
+            }
+        }
+
         /// <summary>Something about the scene is wrong that no emitter has to do with.</summary>
         /// <param name="context">What the Console shows beside the message.</param>
         /// <param name="text">What it is and what to do, in one line.</param>

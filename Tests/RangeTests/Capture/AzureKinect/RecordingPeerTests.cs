@@ -18,7 +18,7 @@ namespace LaserTracking.Capture.AzureKinect
         private static string Record(TemporaryFolder folder, PixelFormat color, bool withDepth, PixelRegion? region = null, int jpeg = 0)
         {
             string path = folder.File("recorded.mkv");
-            using var recorder = new FrameRecorder(path, new FrameRecorderSettings { WaitsWhenFull = true, Region = region, JpegQuality = jpeg, DeviceCalibration = new byte[] { (byte)'{', (byte)'}' } });
+            using var recorder = new FrameRecorder(path, new FrameRecorderSettings { WaitsWhenFull = true, Region = region, JpegQuality = jpeg, DeviceCalibration = () => new byte[] { (byte)'{', (byte)'}' } });
             for (int i = 0; i < Frames; i++)
                 recorder.Add(Picture(i, color, withDepth));
             return path;

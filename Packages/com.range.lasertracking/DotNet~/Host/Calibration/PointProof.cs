@@ -22,7 +22,7 @@ namespace LaserTracking.Host.Calibration
         private readonly double[] _px;
         private readonly double[] _mm;
 
-        private PointProof(string kind, ScreenPoints points, Vector2D sizeM, LensCamera? lens, double sigmaPx, double limitMm, Vector2D[] placesM, double[] px, double[] mm)
+        private PointProof(string kind, ScreenPoints points, Vector2D sizeM, LensCamera? lens, double sigmaPx, double limitMm, Vector2D[] placesM, double[] px, Vector2D[] offMm)
         {
             Kind = kind;
             _points = points;
@@ -32,10 +32,14 @@ namespace LaserTracking.Host.Calibration
             _limitMm = limitMm;
             _placesM = placesM;
             _px = px;
-            _mm = mm;
+            _mm = offMm.Select(off => off.Length).ToArray();
+            Residuals = placesM.Zip(offMm, (place, off) => new ScreenResidual(place, off)).ToArray();
         }
 
         public string Kind { get; }
+
+        /// <summary>The points that proved it, or failed to.</summary>
+        public ScreenResidual[] Residuals { get; }
 
         /// <param name="screen">The fit.</param>
         /// <param name="points">What it was fitted to, and the check points.</param>
@@ -48,7 +52,7 @@ namespace LaserTracking.Host.Calibration
             if (points.VerifyImagePx.Length > 0)
             {
                 double[] px = points.VerifyImagePx.Zip(points.VerifyScreenM, (at, m) => (screen.ToImagePx(m) - at).Length).ToArray();
-                double[] mm = points.VerifyImagePx.Zip(points.VerifyScreenM, (at, m) => (screen.ToScreenM(at) - m).Length * 1000).ToArray();
+                Vector2D[] mm = points.VerifyImagePx.Zip(points.VerifyScreenM, (at, m) => (screen.ToScreenM(at) - m) * 1000).ToArray();
                 return new PointProof(ByCheckPoints, points, sizeM, lens, sigmaPx, limitMm, points.VerifyScreenM, px, mm);
             }
 
@@ -56,7 +60,7 @@ namespace LaserTracking.Host.Calibration
 
             // A place that hangs on one point alone is not proven by the others, and a calibration is as good as its worst place.
             return isCrossed && offMm.All(off => off.IsFinite)
-                ? new PointProof(ByCrossValidation, points, sizeM, lens, sigmaPx, limitMm, points.ScreenM, offPx.Select(p => p.Length).ToArray(), offMm.Select(p => p.Length).ToArray())
+                ? new PointProof(ByCrossValidation, points, sizeM, lens, sigmaPx, limitMm, points.ScreenM, offPx.Select(p => p.Length).ToArray(), offMm)
                 : new PointProof(None, points, sizeM, lens, sigmaPx, limitMm, [], [], []);
         }
 

@@ -13,6 +13,7 @@ namespace LaserTracking.Host.Commands
                 ReplayCommand.Create(),
                 RecordCommand.Create(),
                 SendCommand.Create(),
+                ReceiveCommand.Create(),
                 InfoCommand.Create(),
                 ExtractCommand.Create(),
                 ExplainCommand.Create(),

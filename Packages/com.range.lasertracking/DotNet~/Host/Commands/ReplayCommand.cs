@@ -39,10 +39,11 @@ namespace LaserTracking.Host.Commands
             var session = new Option<string?>("--session") { HelpName = "DIR", Description = "Records the session into this folder: frames, calibration, scene, settings, events; './range replay DIR' runs it again and gives the same bytes." };
             var paced = new Option<bool>("--paced") { Description = "Runs at the recording's own speed." };
             var send = new Option<string?>("--send") { HelpName = "HOST:PORT", Description = "Sends shots and hands to a remote input as they are found; usually with --paced." };
+            var sendFile = new Option<string?>("--send-file") { HelpName = "FILE", Description = "The same through a file that is replaced again and again, for a receiver on this machine." };
             var keyFile = new Option<string?>("--key-file") { HelpName = "FILE", Description = "The key for --send." };
             var exposure = new Option<double>("--exposure-us") { HelpName = "US", Description = "The camera's shutter, microseconds: narrows the uncertainty of time and place, and what is said about the picture." };
             var row = new Option<double>("--row-us") { HelpName = "US", Description = "Rolling shutter: delay from one row to the next, microseconds." };
-            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, handModel, calibration, scene, rendered, detector, events, rejected, dots, report, session, paced, send, keyFile, exposure, row };
+            var command = new Command("replay", "Runs the pipeline over recorded frames: shots, shooters, scored hits.") { input, hand, handOffset, handModel, calibration, scene, rendered, detector, events, rejected, dots, report, session, paced, send, sendFile, keyFile, exposure, row };
             command.SetAction((parsed, interrupted) =>
             {
                 RangeSession.CreateDetector(parsed.GetValue(detector)!);
@@ -56,7 +57,11 @@ namespace LaserTracking.Host.Commands
                 if (sessionFolder != null)
                     eventsName ??= System.IO.Path.Combine(sessionFolder, SessionLog.EventsFileName);
                 string? sendTo = parsed.GetValue(send), key = parsed.GetValue(keyFile);
-                using RemoteSender? sender = sendTo == null ? null : SendTarget.Open("--send", sendTo, key);
+                string? sendFileName = parsed.GetValue(sendFile);
+                if (sendTo != null && sendFileName != null)
+                    throw new InputException("--send-file", "--send names another way", "give one of the two");
+                ResultFile.CheckNotRead(sendFileName, name, handName, calibrationName, sceneName, renderedName);
+                using IRemoteSender? sender = sendTo == null && sendFileName == null ? null : SendTarget.Open("--send", sendTo ?? "", key, sendFileName);
                 int Run(SessionPlan plan, KinectRecording? device)
                 {
                     var outputs = new SessionOutputs(eventsName, parsed.GetValue(dots), parsed.GetValue(report)) { Rejected = which, Listener = sender == null ? null : new RemoteEventSink(sender) };

@@ -23,11 +23,12 @@ namespace LaserTracking.Host.Commands
             var input = new Argument<string?>("EVENTS") { Arity = ArgumentArity.ZeroOrOne, Description = "An events.jsonl: its shots and hands are sent." };
             var to = new Option<string>("--to") { HelpName = "HOST:PORT", Description = "Where the remote input listens.", DefaultValueFactory = _ => "127.0.0.1:9997" };
             var key = new Option<string?>("--key-file") { HelpName = "FILE", Description = "The receiver's key, 32 to 128 hexadecimal digits; needed on a network." };
+            var toFile = new Option<string?>("--to-file") { HelpName = "FILE", Description = "Through a file that the receiver watches, in place of the network." };
             var shot = new Option<string?>("--shot") { HelpName = "X,Y", Description = "Sends one test shot there: metres from the screen's top-left corner." };
             var hand = new Option<string?>("--hand") { HelpName = "X,Y,Z", Description = "Sends one test pose: a muzzle there, screen space, metres." };
             var published = new Option<bool>("--published") { Description = "Sends one published message: a ray straight ahead, 1.5 m beside camera 0." };
             var speed = new Option<double>("--speed") { HelpName = "FACTOR", Description = "1: as fast as it happened; 2: twice as fast.", DefaultValueFactory = _ => 1 };
-            var command = new Command("send", "Sends shots and hands to a remote input, from a session's events or as single test messages.") { input, to, key, shot, hand, published, speed };
+            var command = new Command("send", "Sends shots and hands to a remote input, from a session's events or as single test messages.") { input, to, key, toFile, shot, hand, published, speed };
             command.SetAction((parsed, interrupted) =>
             {
                 string? events = parsed.GetValue(input);
@@ -38,7 +39,10 @@ namespace LaserTracking.Host.Commands
                 bool isTest = shotM != null || handM != null || parsed.GetValue(published);
                 if (isTest == (events != null))
                     throw new InputException("send", "needs either a file of events or a test message", "give an events.jsonl, or --shot, --hand or --published");
-                using RemoteSender sender = SendTarget.Open("--to", parsed.GetValue(to)!, parsed.GetValue(key));
+                string? file = parsed.GetValue(toFile);
+                if (file != null && !parsed.GetResult(to)!.Implicit)
+                    throw new InputException("--to-file", "--to names another way", "give one of the two");
+                using IRemoteSender sender = SendTarget.Open("--to", parsed.GetValue(to)!, parsed.GetValue(key), file);
                 if (events != null)
                     return Task.FromResult(Play(events, sender, factor, interrupted));
                 SendTests(sender, shotM, handM, parsed.GetValue(published));
@@ -47,7 +51,7 @@ namespace LaserTracking.Host.Commands
             return command;
         }
 
-        private static int Play(string events, RemoteSender sender, double speed, CancellationToken interrupted)
+        private static int Play(string events, IRemoteSender sender, double speed, CancellationToken interrupted)
         {
             var paced = new PacedSink(new RemoteEventSink(sender), speed, interrupted);
             EventReader.Read(events, paced);
@@ -55,7 +59,7 @@ namespace LaserTracking.Host.Commands
             return interrupted.IsCancellationRequested ? ExitCodes.Interrupted : code;
         }
 
-        private static void SendTests(RemoteSender sender, double[]? shotM, double[]? handM, bool published)
+        private static void SendTests(IRemoteSender sender, double[]? shotM, double[]? handM, bool published)
         {
             long nowUs = new WallClock().NowUs;
             var nowhere = new Vector3D(double.NaN, double.NaN, double.NaN);
@@ -78,14 +82,15 @@ namespace LaserTracking.Host.Commands
             sender.SendPublished(new RemotePose { TimeUs = nowUs, Muzzle = new Vector3D(1500, 0, 0), Target = new Vector3D(1500, 0, mm), Direction = new Vector3D(0, 0, 1), Confidence = 1 }, false);
         }
 
-        private static int Report(RemoteSender sender, string what)
+        private static int Report(IRemoteSender sender, string what)
         {
             // What still waits is sent now; only then is it known what became of it.
             sender.Dispose();
             Console.WriteLine(what);
-            if (sender.FailedPackets + sender.LostShots == 0)
+            if (sender.Failures + sender.LostShots == 0)
                 return ExitCodes.Done;
-            Console.Error.WriteLine(FormattableString.Invariant($"range: send: {sender.FailedPackets} packets were refused and {sender.LostShots} shots given up: nobody listens there; start the receiver first"));
+            string doing = sender is RemoteFileSender ? "the file could not be replaced; check folder, rights and disk" : "nobody listens there; start the receiver first";
+            Console.Error.WriteLine(FormattableString.Invariant($"range: send: {sender.Failures} messages were refused and {sender.LostShots} shots given up: {doing}"));
             return ExitCodes.CheckFailed;
         }
 

@@ -37,6 +37,7 @@ namespace LaserTracking.Host.Scenes
             ["842ac62e1e1b4650b63394a694ed9b0a"] = "ShotVisuals",
             ["37ae146a84c2caefe0daa04317b60df8"] = "Scoreboard",
             ["8c7810aa1b663a441f2aa3614be26986"] = "CalibrationScreen",
+            ["9860e2bcc19e5ce04f69d1ece3a5cc62"] = "PlayerSetup",
             ["4e594f06acf668db5e74aefd635dc51f"] = "RemoteInput",
         };
 

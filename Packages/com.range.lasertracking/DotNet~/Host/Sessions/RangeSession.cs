@@ -78,7 +78,10 @@ namespace LaserTracking.Host.Sessions
             bool isComplete = runner.Run(interrupted);
             if (isComplete && plan.HandCamera != null && !runner.HasHandsInTime)
                 pipeline.ReportInputProblem(new FrameProblem(-1, "no frame of the second camera lies in the time of the first: nobody can be named; give the clocks' difference with --hand-offset-us"));
-            pipeline.End(watch.Elapsed.TotalSeconds);
+            // In whole milliseconds, as the event has it.
+            double seconds = plan.SecondsWall ?? Math.Round(watch.Elapsed.TotalSeconds, 3);
+            pipeline.End(seconds);
+            plan.Ended?.Invoke(seconds);
             return isComplete;
         }
 

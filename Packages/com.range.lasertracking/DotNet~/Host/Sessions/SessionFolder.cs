@@ -43,12 +43,13 @@ namespace LaserTracking.Host.Sessions
             };
             FrameRecorderSettings screen = SettingsFor(plan.ScreenCamera);
             if (device != null && device.TryReadCalibration(out byte[] json))
-                screen.DeviceCalibration = json;
+                screen.DeviceCalibration = () => json;
             using var writer = new SessionLogWriter(folder, log, screen, plan.HandCamera == null ? null : SettingsFor(plan.HandCamera), calibration, plan.Scene);
             var screenTap = new TappedFrameSource(plan.ScreenCamera) { Tap = writer.AddScreenFrame };
             TappedFrameSource? handTap = plan.HandCamera == null ? null : new TappedFrameSource(plan.HandCamera) { Tap = writer.AddHandFrame };
             int exitCode = run(plan with
             {
+                Ended = seconds => log.SecondsWall = seconds,
                 ScreenCamera = screenTap,
                 HandCamera = handTap,
                 Calibration = calibration == null ? null : RangeCalibrationFile.Parse(calibration, "calibration"),
@@ -93,6 +94,7 @@ namespace LaserTracking.Host.Sessions
                 SceneTimeZeroUs = log.SceneTimeZeroUs,
                 CameraTiming = new CameraTimingSettings { ExposureUs = log.ExposureUs, RowUs = log.RowUs },
                 Version = log.Header.Version,
+                SecondsWall = log.IsComplete ? log.SecondsWall : null,
             };
         }
 

@@ -59,6 +59,12 @@ namespace LaserTracking.Host.Sessions
         /// <summary>Written into the header; null: this program's. A replayed session keeps its own.</summary>
         public string? Version { get; init; }
 
+        /// <summary>Written as seconds_wall into the last line; null: what this run took. A replayed session keeps its own.</summary>
+        public double? SecondsWall { get; init; }
+
+        /// <summary>Told what is written there.</summary>
+        public Action<double>? Ended { get; init; }
+
         /// <summary>Wait so that frames come at their own times.</summary>
         public bool IsPaced { get; init; }
     }

@@ -67,6 +67,8 @@ namespace LaserTracking.Host.Sessions
             string text = FormattableString.Invariant($"{shots.Length} shots in {end.SecondsMedia:F1} s ({end.Frames} frames, {end.Dropped} without a picture)");
             if (plan.Scene != null)
                 text += FormattableString.Invariant($", {shots.Count(s => s.HasHit && s.Hit.Points >= 0)} hits, {shots.Count(s => s.HasHit && s.Hit.Points < 0)} on no-shoots, {shots.Sum(s => s.HasHit ? s.Hit.Points : 0)} points");
+            if (plan.SecondsWall != null)
+                return text;
             return text + FormattableString.Invariant($"; took {end.SecondsWall:F1} s, {end.SecondsMedia / Math.Max(1e-3, end.SecondsWall):F1} times real time");
         }
 

@@ -26,6 +26,9 @@ namespace LaserTracking.Detection
         /// <summary>Records every test when there is one.</summary>
         public DetectionTrace? Trace { get; set; }
 
+        /// <summary>Of the frame, microseconds.</summary>
+        public long TimeUs { get; set; }
+
         /// <summary>Much of the picture has risen at once: what is faint proves nothing there.</summary>
         public bool IsCrowded { get; set; }
 
@@ -91,7 +94,7 @@ namespace LaserTracking.Detection
                 if (!known.IsConclusive && candidate.IsOnset && !candidate.MayBeContent)
                     candidate.LogOdds += Weigh(view, ref candidate, known.LogOdds, _settings.MinLogOdds, out int _, stackalloc float[DotEvidence.Count]);
                 candidate.IsConclusive = known.IsConclusive || isProvenByLevel || candidate.LogOdds >= conclusive;
-                Fails(ref candidate, !candidate.IsConclusive && known.Frames > _settings.MaxWaitFrames, RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
+                Fails(ref candidate, !candidate.IsConclusive && WaitLimit.IsOver(known.Frames, TimeUs - known.FirstTimeUs, _settings.MaxWaitFrames, _settings.MaxWaitUs), RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
                 return;
             }
 
@@ -101,7 +104,7 @@ namespace LaserTracking.Detection
             Span<float> features = stackalloc float[DotEvidence.Count];
             double least = rise < _settings.FaintRise ? Math.Max(_settings.MinLogOdds, IsCrowded ? conclusive : _settings.FaintLogOdds) : _settings.MinLogOdds;
             candidate.LogOdds = Weigh(view, ref candidate, 0, least, out int against, features);
-            EvidenceCurve curve = DotEvidence.Curves[against];
+            EvidenceCurve curve = _settings.Evidence.Curves[against];
             if (Fails(ref candidate, candidate.LogOdds < least, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What))
                 return;
             candidate.IsConclusive = candidate.LogOdds >= conclusive;
@@ -111,19 +114,19 @@ namespace LaserTracking.Detection
         /// <summary>No single measure decides: all of them together say how likely this is a laser's light.</summary>
         private double Weigh(in FrameView view, ref Candidate candidate, double before, double least, out int against, Span<float> features)
         {
-            FeatureMeasurer.MeasureItself(view, candidate, Noise, Scale, ContentLevel, features);
-            double highest = DotEvidence.HighestLogOdds(features);
+            FeatureMeasurer.MeasureItself(view, candidate, Scale, ContentLevel, features);
+            double highest = _settings.Evidence.HighestLogOdds(features);
             bool isHopeless = before + highest < least;
             if (!isHopeless || Trace != null)
             {
                 SurroundingsMeasurer.Ring(view, ref candidate, Noise);
                 FeatureMeasurer.MeasureAround(view, candidate, Noise, (int)(_settings.MotionRadiusPx * Scale), features);
                 candidate.MotionShare = features[(int)DotFeature.BrightenedAround] + features[(int)DotFeature.DarkenedAround];
-                Trace?.AddEvidence(features, before, least);
+                Trace?.AddEvidence(_settings.Evidence, features, before, least);
             }
 
-            against = DotEvidence.StrongestAgainst(features, !isHopeless);
-            return isHopeless ? highest : DotEvidence.LogOdds(features);
+            against = _settings.Evidence.StrongestAgainst(features, !isHopeless);
+            return isHopeless ? highest : _settings.Evidence.LogOdds(features);
         }
 
         /// <summary>

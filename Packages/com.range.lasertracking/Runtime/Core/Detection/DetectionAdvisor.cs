@@ -102,10 +102,10 @@ namespace LaserTracking.Detection
             {
                 PowerLadder ladder = _ladders[i];
                 double dimmest = ladder.LeastMw(_settings.CaughtShare), rise = 255 * ladder.Rise(dimmest), level = 255 * ladder.Background;
-                regions[i] = new RegionAdvice(dimmest, rise, ladder.ShortestMs(_settings.CaughtShare, _settings.PowerMw, exposureUs, intervalUs, _detector.Probe.MaxWaitFrames), level);
+                regions[i] = new RegionAdvice(dimmest, rise, ladder.ShortestMs(_settings.CaughtShare, _settings.PowerMw, exposureUs, intervalUs, _detector.Probe.MaxWaitFrames(intervalUs)), level);
             }
 
-            return new DetectionAdvice(_settings, _ladders, regions, MedianRise, intervalUs, exposureUs, _detector.Probe.MaxWaitFrames, Gain(exposureUs, intervalUs));
+            return new DetectionAdvice(_settings, _ladders, regions, MedianRise, intervalUs, exposureUs, _detector.Probe.MaxWaitFrames(intervalUs), Gain(exposureUs, intervalUs));
         }
 
         private double MedianRise(double powerMw)
@@ -165,7 +165,7 @@ namespace LaserTracking.Detection
         {
             double caught = 0;
             foreach (PowerLadder ladder in _ladders)
-                caught += ladder.Caught(_settings.PowerMw, ShortFlashMs * 1000, exposureUs, intervalUs, _detector.Probe.MaxWaitFrames);
+                caught += ladder.Caught(_settings.PowerMw, ShortFlashMs * 1000, exposureUs, intervalUs, _detector.Probe.MaxWaitFrames(intervalUs));
             caught /= _ladders.Length;
             double between = FlashTiming.Missed(ShortFlashMs * 1000, exposureUs, intervalUs), unseen = 1 - caught - between;
             if (caught > 0.98)

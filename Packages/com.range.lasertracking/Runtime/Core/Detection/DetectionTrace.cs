@@ -43,7 +43,7 @@ namespace LaserTracking.Detection
             new ReadOnlySpan<TestOutcome>(_tests, candidate.FirstTest, candidate.TestCount);
 
         /// <summary>Log-odds of a dot before any <see cref="DotFeature"/> is measured.</summary>
-        public static double BaseLogOdds => DotEvidence.Base;
+        public double BaseLogOdds { get; private set; } = DotEvidence.Learned.Base;
 
         /// <summary>What each <see cref="DotFeature"/> says about a candidate, in their order; empty where it was not weighed.</summary>
         public ReadOnlySpan<TestOutcome> EvidenceOf(in ExaminedCandidate candidate)
@@ -99,16 +99,17 @@ namespace LaserTracking.Detection
             Add(new TestOutcome { What = what, IsPassed = isPassed, Value = value, Limit = limit, IsMinimum = isMinimum, LogOdds = double.NaN });
 
         /// <summary>What each measure says, what was known before any of them, and all of it together against the least that a candidate needs.</summary>
-        internal void AddEvidence(ReadOnlySpan<float> features, double before, double minLogOdds)
+        internal void AddEvidence(DotEvidence evidence, ReadOnlySpan<float> features, double before, double minLogOdds)
         {
+            BaseLogOdds = evidence.Base;
             for (int i = 0; i < features.Length; i++)
             {
-                EvidenceCurve curve = DotEvidence.Curves[i];
+                EvidenceCurve curve = evidence.Curves[i];
                 Add(new TestOutcome { What = curve.What, Reason = curve.Reason, IsPassed = true, Value = features[i], Limit = double.NaN, LogOdds = curve.At(features[i]) });
             }
 
-            double all = before + DotEvidence.LogOdds(features);
-            double known = before + DotEvidence.Base;
+            double all = before + evidence.LogOdds(features);
+            double known = before + evidence.Base;
             Add(new TestOutcome { What = "before this frame", IsPassed = true, Value = known, Limit = double.NaN, LogOdds = known });
             Add(new TestOutcome { What = "all evidence", IsPassed = all >= minLogOdds, Value = all, Limit = minLogOdds, IsMinimum = true, LogOdds = all });
         }
@@ -169,7 +170,7 @@ namespace LaserTracking.Detection
                 _candidates[index].TestCount--;
         }
 
-        /// <summary>A candidate that waited lies beside a dot that more speaks for.</summary>
+        /// <summary>A candidate that waited lies beside a dot that more speaks for, or is one of too many.</summary>
         internal void SettleWaiting(int index, in RejectedCandidate rejected)
         {
             if (index < 0)
@@ -181,6 +182,9 @@ namespace LaserTracking.Detection
             int last = candidate.FirstTest + candidate.TestCount - 1;
             if (candidate.TestCount == 0 || _tests[last].Reason != RejectionReason.Duplicate)
                 return;
+            _tests[last].Reason = rejected.Reason;
+            _tests[last].What = UsualMeasure(rejected.Reason);
+            _tests[last].IsMinimum = IsMinimum(rejected.Reason);
             _tests[last].IsPassed = false;
             _tests[last].Value = rejected.Value;
             _tests[last].Limit = rejected.Limit;
@@ -205,6 +209,7 @@ namespace LaserTracking.Detection
                 case RejectionReason.WrongColor: return "red-green coherence";
                 case RejectionReason.NotConfirmed: return "frames waited";
                 case RejectionReason.Duplicate: return "distance to a dot, px";
+                case RejectionReason.LowConfidence: return "log-odds, one of many at once";
                 case RejectionReason.NotNew: return "new light, share";
                 case RejectionReason.CutByEdge: return "to the edge, px";
                 default: return reason.ToString();

@@ -50,7 +50,8 @@ namespace LaserTracking.Detection
         public double Noise => _judge.Noise;
 
         /// <summary>Frames that what is not conclusive may last.</summary>
-        public int MaxWaitFrames => _settings.MaxWaitFrames;
+        /// <param name="intervalUs">Between frames.</param>
+        public int MaxWaitFrames(double intervalUs) => WaitLimit.FramesAt(intervalUs, _settings.MaxWaitFrames, _settings.MaxWaitUs);
 
         /// <summary>Brightness of the projected picture's brightest parts, levels.</summary>
         public int ContentLevel => _judge.ContentLevel;

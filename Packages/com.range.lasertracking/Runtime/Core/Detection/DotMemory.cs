@@ -31,6 +31,7 @@ namespace LaserTracking.Detection
         public int Right;
         public int Bottom;
         public int Frames;
+        public long FirstTimeUs;
         public bool IsConclusive;
         public LaserColor Color;
 
@@ -77,6 +78,7 @@ namespace LaserTracking.Detection
             PlaceWidth = earlier.PlaceWidth;
             PlaceHeight = earlier.PlaceHeight;
             FirstRise = earlier.FirstRise;
+            FirstTimeUs = earlier.FirstTimeUs;
             FirstLight = earlier.FirstLight;
             for (int i = 0; i < PlaceSide * PlaceSide; i++)
                 Place[i] = earlier.Place[i];

@@ -8,15 +8,15 @@ namespace LaserTracking.Detection
         /// <summary>Area at half height of an ordinary dot, px² at 640: the median of real ones is larger.</summary>
         private const double OrdinaryAreaPx = 25;
 
-        /// <summary>Rise times root of the area from which strength speaks for a dot, levels·px.</summary>
-        private static readonly double LeastStrength = Math.Exp(DotEvidence.Curves[(int)DotFeature.LogStrength].NearestLimit(0));
-
         /// <summary>Least rise of an ordinary dot that the detector takes, levels, where nothing moves.</summary>
         /// <param name="settings">The detector's.</param>
         /// <param name="noise">Temporal noise, levels (one standard deviation).</param>
         /// <param name="activity">Recent ordinary onset of the tile, levels.</param>
         public static double LeastRiseLevels(ShotDetectorSettings settings, double noise, double activity = 0) =>
             Math.Max(Math.Max(settings.MinRiseLevels, settings.MinRiseSigmas * noise),
-                Math.Max(LeastStrength / Math.Sqrt(OrdinaryAreaPx), ShotDetector.GateFloor + TileGrid.GateShare * activity));
+                Math.Max(LeastStrength(settings.Evidence) / Math.Sqrt(OrdinaryAreaPx), ShotDetector.GateFloor + TileGrid.GateShare * activity));
+
+        /// <summary>Rise times root of the area from which strength speaks for a dot, levels·px.</summary>
+        private static double LeastStrength(DotEvidence evidence) => Math.Exp(evidence.Curves[(int)DotFeature.LogStrength].NearestLimit(0));
     }
 }

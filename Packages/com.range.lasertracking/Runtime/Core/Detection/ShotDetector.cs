@@ -158,6 +158,7 @@ namespace LaserTracking.Detection
         {
             _noise.Update(view);
             _judge.Noise = _noise.Sigma;
+            _judge.TimeUs = detections.TimeUs;
             _content.Update(view);
             _judge.ContentLevel = _content.Level;
             _examinedCount = 0;
@@ -324,6 +325,8 @@ namespace LaserTracking.Detection
         /// </summary>
         private void AddWaiting(Image image, in FrameView view, Detections detections)
         {
+            // Lasers begin one or two at a time: what speaks for many at once is shared out among them.
+            double least = _settings.MinLogOdds + Math.Log(Math.Max(1, _waitingCount / 2.0));
             for (; _waitingCount > 0; _waitingCount--)
             {
                 int best = 0;
@@ -337,9 +340,12 @@ namespace LaserTracking.Detection
                 _waiting[best] = _waiting[_waitingCount - 1];
                 Candidate candidate = waiting.Candidate;
                 Dot dot = _measurer.Measure(image, view, _planes.Factor, candidate, default, Noise);
-                if (_memory.IsHaloOf(candidate, out double near, out double reach))
+                bool isHalo = _memory.IsHaloOf(candidate, out double near, out double reach);
+                if (isHalo || candidate.LogOdds < least)
                 {
-                    var rejected = new RejectedCandidate { PositionPx = dot.PositionPx, Reason = RejectionReason.Duplicate, Value = near * _planes.Factor, Limit = reach * _planes.Factor };
+                    RejectedCandidate rejected = isHalo
+                        ? new RejectedCandidate { PositionPx = dot.PositionPx, Reason = RejectionReason.Duplicate, Value = near * _planes.Factor, Limit = reach * _planes.Factor }
+                        : new RejectedCandidate { PositionPx = dot.PositionPx, Reason = RejectionReason.LowConfidence, Value = candidate.LogOdds, Limit = least };
                     detections.Reject(rejected);
                     Trace?.SettleWaiting(waiting.TraceIndex, rejected);
                     continue;
@@ -368,6 +374,7 @@ namespace LaserTracking.Detection
             RememberedDot remembered = PlaceOf(candidate);
             remembered.Frames = candidate.IsOnset ? 1 : known.Frames + 1;
             remembered.IsConclusive = candidate.IsConclusive;
+            remembered.FirstTimeUs = _judge.TimeUs;
             remembered.Color = dot.Color;
             remembered.LogOdds = candidate.LogOdds;
             remembered.PeakRelativeRise = candidate.PeakRelativeRise;

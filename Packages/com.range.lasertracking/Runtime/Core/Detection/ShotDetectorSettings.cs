@@ -31,13 +31,16 @@ namespace LaserTracking.Detection
         public double FaintRise { get; set; } = 0.12;
 
         /// <summary>Least evidence of a candidate fainter than that, log-odds −20…20.</summary>
-        public double FaintLogOdds { get; set; } = 1.3;
+        public double FaintLogOdds { get; set; } = 2.1;
 
         /// <summary>Share of the picture's tiles that have risen, 0…1, from which such a candidate must be conclusive: many at once are no laser.</summary>
         public double CrowdedShare { get; set; } = 1 / 60.0;
 
         /// <summary>Least evidence of a candidate, log-odds −20…20: below, one reason is named. See DotEvidence.</summary>
-        public double MinLogOdds { get; set; } = 0.4;
+        public double MinLogOdds { get; set; } = 0.8;
+
+        /// <summary>By what candidates are weighed; what the detector was built with unless told otherwise. Never null.</summary>
+        public DotEvidence Evidence { get; set; } = DotEvidence.Learned;
 
         /// <summary>Evidence at which one frame suffices, log-odds −20…20.</summary>
         public double ConclusiveLogOdds { get; set; } = 2.1;
@@ -66,9 +69,6 @@ namespace LaserTracking.Detection
         /// <summary>Largest share of the ring around the dot that rose at least half as far, 0…1; for a dot that has to wait.</summary>
         public double MaxRingShare { get; set; } = 0.04;
 
-        /// <summary>Largest share of the surroundings that changed since the last frame, 0…1; for a dot that has to wait.</summary>
-        public double MaxMotionShare { get; set; } = 0.06;
-
         /// <summary>
         /// By how much light must exceed the projected picture's brightest to be none of it, levels, 1…255. Where less room is left
         /// above that, brightness proves nothing.
@@ -89,8 +89,11 @@ namespace LaserTracking.Detection
         /// <summary>Least room that the other colour must have had left for a colour to be named, mean levels, 0…255.</summary>
         public double MinColorHeadroom { get; set; } = 4;
 
-        /// <summary>Frames that a dot which is not conclusive may stay on before it is taken for scenery, 1…60.</summary>
+        /// <summary>Frames that a dot which is not conclusive may stay on at any frame rate, 1…60.</summary>
         public int MaxWaitFrames { get; set; } = 5;
+
+        /// <summary>For how long it may stay on before it is taken for scenery, where that is more frames, µs, 0…1 s.</summary>
+        public long MaxWaitUs { get; set; } = 170_000;
 
         /// <summary>Candidates that one frame may have examined in each of the two planes, 1…4096: bounds the time.</summary>
         public int MaxCandidates { get; set; } = 64;
@@ -101,6 +104,8 @@ namespace LaserTracking.Detection
         /// <exception cref="ArgumentException">A value is outside its range or NaN; the message names it.</exception>
         public void Validate()
         {
+            if (Evidence == null)
+                throw new ArgumentException("evidence is needed to weigh candidates", nameof(Evidence));
             SettingCheck.InRange(nameof(FullSizeMaxWidthPx), FullSizeMaxWidthPx, 1, 16384);
             SettingCheck.InRange(nameof(EnvelopeDecay), EnvelopeDecay, 1, 64);
             SettingCheck.InRange(nameof(SmoothingNoise), SmoothingNoise, 0, 255);
@@ -120,13 +125,13 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MaxElongation), MaxElongation, 1, 100);
             SettingCheck.InRange(nameof(ConclusiveElongation), ConclusiveElongation, 1, 100);
             SettingCheck.InRange(nameof(MaxRingShare), MaxRingShare, 0, 1);
-            SettingCheck.InRange(nameof(MaxMotionShare), MaxMotionShare, 0, 1);
             SettingCheck.InRange(nameof(QuietActivity), QuietActivity, 0, 255);
             SettingCheck.InRange(nameof(MinContentExcess), MinContentExcess, 1, 255);
             SettingCheck.InRange(nameof(MotionRadiusPx), MotionRadiusPx, 4, 320);
             SettingCheck.InRange(nameof(ColorCoherence), ColorCoherence, 0, 1);
             SettingCheck.InRange(nameof(MinColorHeadroom), MinColorHeadroom, 0, 255);
             SettingCheck.InRange(nameof(MaxWaitFrames), MaxWaitFrames, 1, 60);
+            SettingCheck.InRange(nameof(MaxWaitUs), MaxWaitUs, 0, 1_000_000);
             SettingCheck.InRange(nameof(MaxCandidates), MaxCandidates, 1, 4096);
         }
 

@@ -1,3 +1,6 @@
+using System;
+using System.Collections.Generic;
+
 namespace LaserTracking.Geometry
 {
     /// <summary>The geometry of one installation: the screen in camera 0's picture, and camera 1 where there is one. Immutable.</summary>
@@ -8,8 +11,11 @@ namespace LaserTracking.Geometry
         /// <param name="imageHeight">Its height.</param>
         /// <param name="handCamera">Camera 1, or null.</param>
         /// <param name="isUnverified">It is known that nothing has checked it.</param>
-        public RangeCalibration(ScreenGeometry screen, int imageWidth, int imageHeight, HandCamera? handCamera, bool isUnverified = false)
+        /// <param name="residuals">See <see cref="Residuals"/>; null: none.</param>
+        public RangeCalibration(ScreenGeometry screen, int imageWidth, int imageHeight, HandCamera? handCamera, bool isUnverified = false,
+            IReadOnlyList<ScreenResidual>? residuals = null)
         {
+            Residuals = residuals ?? Array.Empty<ScreenResidual>();
             IsUnverified = isUnverified;
             Screen = screen;
             ImageWidth = imageWidth;
@@ -27,5 +33,8 @@ namespace LaserTracking.Geometry
 
         /// <summary>Its file says that no held-out point has checked it: check shots are due.</summary>
         public bool IsUnverified { get; }
+
+        /// <summary>The points that checked it, as far as they are kept: to be looked at, not computed with.</summary>
+        public IReadOnlyList<ScreenResidual> Residuals { get; }
     }
 }

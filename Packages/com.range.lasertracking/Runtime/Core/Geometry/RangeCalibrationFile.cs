@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Text;
 using Newtonsoft.Json;
@@ -9,7 +10,7 @@ namespace LaserTracking.Geometry
     /// <summary>
     /// Reads and writes calibrations of kind "screen": {"v":1,"kind":"screen","image_size":[w,h],"H":[[…]],"screen_m":[w,h]}. Optional:
     /// "K" and "dist", camera 0 with its lens (then H maps pixels free of distortion); "focal_known", false where K is nominal;
-    /// "proof", "none" where no held-out point has checked it; "corners_cov_px2", 8×8, how far the corners may be off; "corners_lens_cov", 10×10, the same jointly with k1 and k2; "hand_camera":{"image_size","K","R","T"} (T in mm, X_screen = R X_camera + T). Unknown fields are ignored.
+    /// "proof", "none" where no held-out point has checked it; "corners_cov_px2", 8×8, how far the corners may be off; "corners_lens_cov", 10×10, the same jointly with k1 and k2; "residuals_mm", what its check points said; "hand_camera":{"image_size","K","R","T"} (T in mm, X_screen = R X_camera + T). Unknown fields are ignored.
     /// </summary>
     public static class RangeCalibrationFile
     {
@@ -17,6 +18,7 @@ namespace LaserTracking.Geometry
         public const string NoProof = "none";
 
         private const string Remedy = CalibrationJson.Remedy;
+        private const int MaxResiduals = 200;
 
         /// <exception cref="InputException">Missing, not JSON, of another kind or a newer version, or a field that is absent, not finite or impossible.</exception>
         public static RangeCalibration Read(string path) => Parse(CalibrationJson.ReadFile(path), path);
@@ -64,6 +66,8 @@ namespace LaserTracking.Geometry
 
             if (calibration.IsUnverified)
                 root["proof"] = NoProof;
+            if (calibration.Residuals.Count > 0)
+                root["residuals_mm"] = FormatResiduals(calibration.Residuals);
             if (calibration.HandCamera is HandCamera hand)
             {
                 JObject content = LensCameraJson.Format(hand.Intrinsics);
@@ -73,6 +77,32 @@ namespace LaserTracking.Geometry
             }
 
             return root.ToString(Formatting.Indented).Replace("\r\n", "\n") + "\n";
+        }
+
+        /// <summary>Of many points some, evenly: enough to be looked at.</summary>
+        private static JArray FormatResiduals(IReadOnlyList<ScreenResidual> residuals)
+        {
+            var rows = new JArray();
+            int step = (residuals.Count + MaxResiduals - 1) / MaxResiduals;
+            for (int i = 0; i < residuals.Count; i += step)
+                rows.Add(new JArray(Math.Round(residuals[i].ScreenM.X, 4), Math.Round(residuals[i].ScreenM.Y, 4), Math.Round(residuals[i].OffMm.X, 3), Math.Round(residuals[i].OffMm.Y, 3)));
+            return rows;
+        }
+
+        private static ScreenResidual[] Residuals(JToken? token, string name)
+        {
+            if (IsAbsent(token))
+                return Array.Empty<ScreenResidual>();
+            if (!(token is JArray rows) || rows.Count > 4 * MaxResiduals)
+                throw new InputException(name, "field residuals_mm is no list of points", Remedy);
+            var residuals = new ScreenResidual[rows.Count];
+            for (int i = 0; i < residuals.Length; i++)
+            {
+                double[] n = CalibrationJson.Numbers(rows[i], 4, name, "residuals_mm");
+                residuals[i] = new ScreenResidual(new Vector2D(n[0], n[1]), new Vector2D(n[2], n[3]));
+            }
+
+            return residuals;
         }
 
         /// <summary>The first rows and columns, row by row.</summary>
@@ -115,7 +145,7 @@ namespace LaserTracking.Geometry
             bool isNominal = isJoint || IsTrue(root["lens_found"]) || (root["focal_known"]?.Type == JTokenType.Boolean && !IsTrue(root["focal_known"]));
             screen = new ScreenGeometry(screen.ImageToScreen, screen.ScreenSizeM, camera, uncertainty, !isNominal);
             bool isUnverified = (root["proof"] as JValue)?.Value is string proof && proof == NoProof;
-            return new RangeCalibration(screen, image[0], image[1], HandCamera(root["hand_camera"], name), isUnverified);
+            return new RangeCalibration(screen, image[0], image[1], HandCamera(root["hand_camera"], name), isUnverified, Residuals(root["residuals_mm"], name));
         }
 
         private static bool IsTrue(JToken? token) => token?.Type == JTokenType.Boolean && (bool)token;

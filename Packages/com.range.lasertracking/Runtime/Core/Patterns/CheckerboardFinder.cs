@@ -17,7 +17,7 @@ namespace LaserTracking.Patterns
     /// that are left the one whose first column runs most nearly down the picture is taken. OpenCV's findChessboardCorners gives the
     /// same order where columns and rows differ in number.
     /// </remarks>
-    public sealed class CheckerboardFinder : IDisposable
+    public sealed class CheckerboardFinder : IBoardFinder
     {
         private const int SearchedPixels = 800_000;
         private const int LeastSide = 60;
@@ -42,12 +42,7 @@ namespace LaserTracking.Patterns
                 _smaller[i] = new Image();
         }
 
-        /// <summary>Finds the whole board or says what was found instead.</summary>
-        /// <param name="picture">Any format but depth.</param>
-        /// <param name="board">Inner corners to find, neither more nor fewer.</param>
-        /// <param name="cornersPx">At least <see cref="BoardSize.Count"/> places, filled on success in the order of the remarks; pixels of the picture.</param>
-        /// <param name="reason">Empty on success, else one line: how many corners were found, or that there is no board.</param>
-        /// <exception cref="ArgumentException">No picture, a depth picture, too few places, a board size that was never set.</exception>
+        /// <remarks>A refusal says how many corners were found, or that there is no board.</remarks>
         public bool TryFind(Image picture, BoardSize board, Span<Vector2D> cornersPx, out string reason)
         {
             if (board.Count == 0 || cornersPx.Length < board.Count)

@@ -40,6 +40,19 @@ namespace LaserTracking.Patterns
 
         public bool IsAccepted => Refusals.Count == 0;
 
+        /// <summary>The points held out, for a calibration's file.</summary>
+        public ScreenResidual[] Residuals()
+        {
+            var residuals = new List<ScreenResidual>();
+            foreach (ScreenCheckPoint point in Points)
+            {
+                if (point.IsHeldOut && !point.IsLeftOut && Screen != null)
+                    residuals.Add(new ScreenResidual(new Vector2D(point.Point.Place.X * Screen.ScreenSizeM.X, point.Point.Place.Y * Screen.ScreenSizeM.Y), point.OffMm));
+            }
+
+            return residuals.ToArray();
+        }
+
         /// <summary>Errors of the fitted points, or of those held out.</summary>
         /// <param name="isHeldOut">Which.</param>
         /// <param name="inMm">On the screen in mm; else in the image in px.</param>

@@ -13,8 +13,8 @@ namespace LaserTracking.Pipeline
     {
         private readonly RangePipeline _pipeline;
         private readonly IFrameSource _screenCamera;
-        private readonly IFrameSource? _handCamera;
-        private readonly LiveFrameSource? _liveHands;
+        private IFrameSource? _handCamera;
+        private LiveFrameSource? _liveHands;
         private readonly long _handClockOffsetUs;
         private readonly Frame _handFrame = new Frame();
         private bool _hasStarted;
@@ -104,6 +104,13 @@ namespace LaserTracking.Pipeline
                 PassOnProblems(_handCamera, ref _handProblems);
         }
 
+        /// <summary>Camera 1 is there again, or for the first time: its frames go on from the next frame of camera 0.</summary>
+        public void SetLiveHands(LiveFrameSource camera)
+        {
+            _handCamera = _liveHands = camera;
+            _handProblems = 0;
+        }
+
         public void Dispose()
         {
             Current.Dispose();
@@ -112,13 +119,27 @@ namespace LaserTracking.Pipeline
 
         private bool TryReadHands(Frame frame)
         {
-            // A live camera 1 that falls silent must not hold up camera 0.
-            if (_handCamera == null || !(_liveHands == null ? _handCamera.TryRead(frame) : _liveHands.TryReadNow(frame)))
+            if (_handCamera == null || !(_liveHands == null ? _handCamera.TryRead(frame) : TryReadLive(_liveHands, frame)))
                 return false;
             HandFrameRead?.Invoke(frame);
             frame.TimeUs += _handClockOffsetUs;
             frame.Depth.TimeUs += _handClockOffsetUs;
             return true;
+        }
+
+        /// <summary>A live camera 1 that falls silent must not hold up camera 0, nor end it when it breaks.</summary>
+        private bool TryReadLive(LiveFrameSource hands, Frame frame)
+        {
+            try
+            {
+                return hands.TryReadNow(frame);
+            }
+            catch (InputException problem)
+            {
+                _handCamera = _liveHands = null;
+                _pipeline.ReportInputProblem(new FrameProblem(-1, problem.Message));
+                return false;
+            }
         }
 
         private void PassOnProblems(IFrameSource source, ref int passedOn)

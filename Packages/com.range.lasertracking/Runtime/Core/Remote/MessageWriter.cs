@@ -14,12 +14,15 @@ namespace LaserTracking.Remote
         private readonly Utf8JsonLineWriter _json = new Utf8JsonLineWriter(2048);
         private readonly PacketSignature? _signature;
         private readonly long _stream;
+        private readonly bool _saysWho;
         private byte[] _packet = new byte[2048];
         private long _counter;
 
         /// <param name="key">Signs with it; null: does not sign.</param>
-        public MessageWriter(RemoteKey? key)
+        /// <param name="isReadAgain">A reader may see a message more than once, so that each says which it is.</param>
+        public MessageWriter(RemoteKey? key, bool isReadAgain = false)
         {
+            _saysWho = key != null || isReadAgain;
             _signature = key == null ? null : new PacketSignature(key);
             var random = new byte[8];
             RandomNumberGenerator.Fill(random);
@@ -43,7 +46,7 @@ namespace LaserTracking.Remote
             return End();
         }
 
-        /// <summary>The published message; signed ones also say who sent them and when.</summary>
+        /// <summary>The published message; signed ones and those of files also say who sent them and when.</summary>
         public ReadOnlySpan<byte> Published(in RemotePose pose, bool isShot, long nowUs)
         {
             Begin(nowUs, false);
@@ -71,7 +74,7 @@ namespace LaserTracking.Remote
             _json.BeginObject();
             if (isOurs)
                 Member("v", 1);
-            if (!isOurs && _signature == null)
+            if (!isOurs && !_saysWho)
                 return;
             Member("stream", _stream);
             Member("counter", ++_counter);

@@ -5,9 +5,9 @@ namespace LaserTracking.Remote
     /// <summary>Lets a pipeline send what it finds: every shot, and the newest of each frame's hands. The sender stays the caller's.</summary>
     public sealed class RemoteEventSink : IEventSink
     {
-        private readonly RemoteSender _sender;
+        private readonly IRemoteSender _sender;
 
-        public RemoteEventSink(RemoteSender sender)
+        public RemoteEventSink(IRemoteSender sender)
         {
             _sender = sender;
         }

@@ -33,9 +33,11 @@ namespace LaserTracking.Remote
         /// <param name="settings">Age, rate and capacity count; address, port and key do not.</param>
         /// <param name="clock">The wall clock.</param>
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
+        /// <exception cref="InputException">The path is no name for a file.</exception>
         public RemoteFileReceiver(string path, RemoteSettings settings, IClock clock)
         {
             settings.Validate();
+            RemoteFile.CheckName(path);
             _path = path;
             _clock = clock;
             _maximumAgeUs = (long)(settings.MaximumAgeMs * 1000);
@@ -121,7 +123,7 @@ namespace LaserTracking.Remote
                 messages++;
             }
 
-            return messages > 0 ? RemoteDrop.None : RemoteDrop.NotJson;
+            return messages > 0 || length == 0 ? RemoteDrop.None : RemoteDrop.NotJson;
         }
 
         private void TakeAll(int length, long nowUs)

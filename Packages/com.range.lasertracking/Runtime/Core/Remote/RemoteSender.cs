@@ -11,7 +11,7 @@ namespace LaserTracking.Remote
     /// receiver takes one); of poses the next one replaces what was lost. Keeps below the receiver's limit: poses are left out
     /// first, shots wait. Calls come from any thread and never wait for the network. No allocation once warm.
     /// </summary>
-    public sealed class RemoteSender : IDisposable
+    public sealed class RemoteSender : IRemoteSender
     {
         private const int PacketsPerSecond = 450; // a little below what a receiver takes: packets bunch up on the way
         private const int PosesPerSecond = 200;
@@ -58,13 +58,10 @@ namespace LaserTracking.Remote
             _thread.Start();
         }
 
-        /// <summary>Shots that were given up because too many waited.</summary>
         public long LostShots => Interlocked.Read(ref _lost);
 
-        /// <summary>Packets that the network refused; the receiver may not be there.</summary>
-        public long FailedPackets => Interlocked.Read(ref _failed);
+        public long Failures => Interlocked.Read(ref _failed);
 
-        /// <summary>Queues a shot. Its id must be 1 or more and grow within this sender's life.</summary>
         public void SendShot(in ShotEvent shot)
         {
             lock (_lock)

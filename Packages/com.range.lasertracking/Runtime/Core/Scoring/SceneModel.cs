@@ -10,6 +10,8 @@ namespace LaserTracking.Scoring
     public sealed class SceneModel
     {
         private readonly SceneObject[] _objects;
+        private readonly PoseTrack? _surfaceTrack;
+        private readonly PoseTrack? _viewpointTrack;
 
         /// <param name="name">For people.</param>
         /// <param name="surface">Pose of the screen surface: local x right, y up, z into the picture.</param>
@@ -17,8 +19,13 @@ namespace LaserTracking.Scoring
         /// <param name="viewpoint">Eye from which the picture is drawn; in front of the surface (negative local z).</param>
         /// <param name="layerMask">Layers that shots can hit, bit = 1 &lt;&lt; layer.</param>
         /// <param name="objects">Active objects in hierarchy order.</param>
-        public SceneModel(string name, Pose surface, Vector2D screenSizeM, Vector3D viewpoint, int layerMask, SceneObject[] objects)
+        /// <param name="surfaceTrack">Where the surface was at which time; null: it stays.</param>
+        /// <param name="viewpointTrack">The same of the eye.</param>
+        public SceneModel(string name, Pose surface, Vector2D screenSizeM, Vector3D viewpoint, int layerMask, SceneObject[] objects,
+            PoseTrack? surfaceTrack = null, PoseTrack? viewpointTrack = null)
         {
+            _surfaceTrack = surfaceTrack;
+            _viewpointTrack = viewpointTrack;
             Name = name;
             Surface = surface;
             ScreenSizeM = screenSizeM;
@@ -29,6 +36,7 @@ namespace LaserTracking.Scoring
 
         public string Name { get; }
 
+        /// <summary>As it stands, or stood at the beginning.</summary>
         public Pose Surface { get; }
 
         public Vector2D ScreenSizeM { get; }
@@ -38,6 +46,10 @@ namespace LaserTracking.Scoring
         public int LayerMask { get; }
 
         public IReadOnlyList<SceneObject> Objects => _objects;
+
+        /// <summary>Screen and eye at a time on the scene's clock, seconds. No allocation.</summary>
+        public ScreenView ViewAt(double timeS) =>
+            new ScreenView(_surfaceTrack?.PoseAt(timeS) ?? Surface, ScreenSizeM, _viewpointTrack?.PoseAt(timeS).Position ?? Viewpoint);
 
         /// <summary>A point of screen space (m, z into the picture) in the scene.</summary>
         public Vector3D ScreenToScene(Vector3D screenM) => Surface.TransformPoint(Axes.ScreenToSurface(screenM, ScreenSizeM));

@@ -11,11 +11,18 @@ namespace LaserTracking.Scoring
 {
     /// <summary>
     /// What a scene showed over a session, as lines of JSON: first the scene itself with all that moves as a function of time, then,
-    /// for objects that something else moves, a pose whenever it changes. One thread; no allocation per pose once warm.
+    /// for screen, eye and objects that something else moves, a pose whenever it changes. One thread; no allocation per pose once warm.
     /// </summary>
     public sealed class ScenePoseLog : IDisposable
     {
+        /// <summary>Number of the screen's surface among the objects.</summary>
+        public const int Surface = -1;
+
+        /// <summary>Number of the eye, of whose pose the position counts.</summary>
+        public const int Viewpoint = -2;
+
         private const int Decimals = 9;
+        private const int ViewCount = 2;
 
         private readonly Stream _stream;
         private readonly Sample[] _last;
@@ -26,18 +33,21 @@ namespace LaserTracking.Scoring
         public ScenePoseLog(Stream stream, SceneModel scene)
         {
             _stream = stream;
-            _last = new Sample[scene.Objects.Count];
+            _last = new Sample[scene.Objects.Count + ViewCount];
+            // While they stay nothing is written, so that they keep their last bit.
+            _last[Surface + ViewCount] = new Sample { IsKnown = true, TimeS = double.NegativeInfinity, Pose = scene.Surface };
+            _last[Viewpoint + ViewCount] = new Sample { IsKnown = true, TimeS = double.NegativeInfinity, Pose = new Pose(scene.Viewpoint, Rotation3D.Identity) };
             _stream.Write(Encoding.UTF8.GetBytes(SceneModelJson.Format(scene).ToString(Formatting.None) + "\n"));
             _stream.Flush();
         }
 
         /// <summary>Notes where an object is. Times rise; of an equal or earlier one nothing is kept.</summary>
-        /// <param name="objectIndex">Its number in the scene.</param>
+        /// <param name="objectIndex">Its number in the scene, <see cref="Surface"/> or <see cref="Viewpoint"/>.</param>
         /// <param name="timeS">On the scene's clock.</param>
         /// <param name="pose">In the scene.</param>
         public void Add(int objectIndex, double timeS, Pose pose)
         {
-            ref Sample last = ref _last[objectIndex];
+            ref Sample last = ref _last[objectIndex + ViewCount];
             if (last.IsKnown && !(timeS > last.TimeS))
                 return;
             bool isSame = last.IsKnown && IsSame(last.Pose, pose);
@@ -66,8 +76,8 @@ namespace LaserTracking.Scoring
             }
 
             SceneModel scene = SceneModelJson.Parse(CalibrationJson.Parse(lines[0], path), path);
-            var times = new List<double>?[scene.Objects.Count];
-            var poses = new List<Pose>?[scene.Objects.Count];
+            var times = new List<double>?[scene.Objects.Count + ViewCount];
+            var poses = new List<Pose>?[scene.Objects.Count + ViewCount];
             for (int i = 1; i < lines.Length - 1; i++)
                 ReadPose(CalibrationJson.Parse(lines[i], path + ", line " + (i + 1)), path + ", line " + (i + 1), times, poses);
             return Moved(scene, times, poses);
@@ -76,7 +86,7 @@ namespace LaserTracking.Scoring
         private static void ReadPose(JObject line, string name, List<double>?[] times, List<Pose>?[] poses)
         {
             double[] numbers = CalibrationJson.Numbers(new JArray(line["object"] ?? JValue.CreateNull(), line["time_s"] ?? JValue.CreateNull()), 2, name, "object, time_s");
-            int item = numbers[0] >= 0 && numbers[0] < times.Length ? (int)numbers[0] : -1;
+            int item = numbers[0] >= -ViewCount && numbers[0] < times.Length - ViewCount ? (int)numbers[0] + ViewCount : -1;
             if (item < 0)
                 throw new InputException(name, "the scene has no such object", "take the file as it was recorded");
             List<double> known = times[item] ??= new List<double>();
@@ -89,10 +99,11 @@ namespace LaserTracking.Scoring
 
         private static SceneModel Moved(SceneModel scene, List<double>?[] times, List<Pose>?[] poses)
         {
+            PoseTrack? Track(int index) => times[index + ViewCount] == null ? null : new PoseTrack(times[index + ViewCount]!, poses[index + ViewCount]!);
             var objects = new SceneObject[scene.Objects.Count];
             for (int i = 0; i < objects.Length; i++)
-                objects[i] = times[i] == null ? scene.Objects[i] : scene.Objects[i].MovedBy(new PoseTrack(times[i]!, poses[i]!));
-            return new SceneModel(scene.Name, scene.Surface, scene.ScreenSizeM, scene.Viewpoint, scene.LayerMask, objects);
+                objects[i] = Track(i) is PoseTrack track ? scene.Objects[i].MovedBy(track) : scene.Objects[i];
+            return new SceneModel(scene.Name, scene.Surface, scene.ScreenSizeM, scene.Viewpoint, scene.LayerMask, objects, Track(Surface), Track(Viewpoint));
         }
 
         private static bool IsSame(Pose a, Pose b) => (a.Position.X, a.Position.Y, a.Position.Z) == (b.Position.X, b.Position.Y, b.Position.Z)

@@ -16,33 +16,28 @@ namespace LaserTracking.Scoring
         private const double LeastSlope = 1e-3;
 
         private readonly IRaycaster _raycaster;
-        private readonly Pose _surface;
-        private readonly Vector2D _screenSizeM;
-        private readonly Vector3D _viewpoint;
+        private readonly SceneModel? _scene;
+        private readonly ScreenView _view;
         private readonly IScoringRule _rule;
         private readonly ShotScorerSettings _settings;
 
         /// <param name="raycaster">Into the same scene that the picture shows.</param>
-        /// <param name="surface">Pose of the screen in the scene: local x right, y up, z into the picture.</param>
-        /// <param name="screenSizeM">Width and height of the projected picture.</param>
-        /// <param name="viewpoint">Eye from which the picture is drawn, scene space.</param>
+        /// <param name="view">Screen and eye, where they stay.</param>
         /// <param name="rule">Null for <see cref="ZoneScoringRule"/> with its defaults.</param>
         /// <param name="settings">Null for the defaults.</param>
-        public ShotScorer(IRaycaster raycaster, Pose surface, Vector2D screenSizeM, Vector3D viewpoint, IScoringRule? rule = null,
-            ShotScorerSettings? settings = null)
+        public ShotScorer(IRaycaster raycaster, ScreenView view, IScoringRule? rule = null, ShotScorerSettings? settings = null)
         {
             _raycaster = raycaster;
-            _surface = surface;
-            _screenSizeM = screenSizeM;
-            _viewpoint = viewpoint;
+            _view = view;
             _rule = rule ?? new ZoneScoringRule();
             _settings = settings ?? new ShotScorerSettings();
         }
 
-        /// <summary>For a headless scene.</summary>
+        /// <summary>For a headless scene, whose screen and eye may move.</summary>
         public ShotScorer(SceneModel scene, IScoringRule? rule = null, ShotScorerSettings? settings = null)
-            : this(new AnalyticRaycaster(scene), scene.Surface, scene.ScreenSizeM, scene.Viewpoint, rule, settings)
+            : this(new AnalyticRaycaster(scene), default, rule, settings)
         {
+            _scene = scene;
         }
 
         /// <summary>False when the shot meets no zone of any target.</summary>
@@ -50,13 +45,18 @@ namespace LaserTracking.Scoring
         /// <param name="screenCovarianceMm2">Its uncertainty.</param>
         /// <param name="confidence">The shot's, 0…1.</param>
         /// <param name="muzzleM">The muzzle in screen space, metres, when it is known; only used with <see cref="AimRay.Muzzle"/>.</param>
-        /// <param name="sceneTimeS">The shot's photon time on the scene's clock: targets stand where they stood then.</param>
+        /// <param name="sceneTimeS">The shot's photon time on the scene's clock: screen, eye and targets stand where they stood then.</param>
         /// <param name="hit">Complete, score included.</param>
         public bool TryScore(Vector2D screenM, Covariance2D screenCovarianceMm2, double confidence, Vector3D? muzzleM, double sceneTimeS,
+            out ScoredHit hit) =>
+            TryScore(_scene == null ? _view : _scene.ViewAt(sceneTimeS), screenM, screenCovarianceMm2, confidence, muzzleM, sceneTimeS, out hit);
+
+        /// <summary>The same through a screen and an eye whose place at that time the caller knows.</summary>
+        public bool TryScore(in ScreenView view, Vector2D screenM, Covariance2D screenCovarianceMm2, double confidence, Vector3D? muzzleM, double sceneTimeS,
             out ScoredHit hit)
         {
             hit = default;
-            if (!TryAim(screenM, muzzleM, out Vector3D eye, out Vector3D dot))
+            if (!TryAim(view, screenM, muzzleM, out Vector3D eye, out Vector3D dot))
                 return false;
             var aim = new Ray3D(dot, dot - eye);
             double travelled = 0;
@@ -78,7 +78,7 @@ namespace LaserTracking.Scoring
                     hit.PointM = met.PointM;
                     hit.LocalPointM = local;
                     hit.DistanceM = travelled;
-                    Covariance2D covariance = ToTarget(screenCovarianceMm2, eye, dot, met);
+                    Covariance2D covariance = ToTarget(view.Surface, screenCovarianceMm2, eye, dot, met);
                     hit.ZoneProbability = ZoneProbability.Of(target, zone, local, covariance);
                     hit.Score = _rule.Score(hit, target, confidence);
                     return true;
@@ -91,20 +91,20 @@ namespace LaserTracking.Scoring
         }
 
         /// <summary>Eye and dot in the scene; false when there is no ray that crosses the screen from its front.</summary>
-        private bool TryAim(Vector2D screenM, Vector3D? muzzleM, out Vector3D eye, out Vector3D dot)
+        private bool TryAim(in ScreenView view, Vector2D screenM, Vector3D? muzzleM, out Vector3D eye, out Vector3D dot)
         {
-            dot = _surface.TransformPoint(Axes.ScreenToSurface(new Vector3D(screenM.X, screenM.Y, 0), _screenSizeM));
-            eye = _viewpoint;
+            dot = view.ScreenToScene(new Vector3D(screenM.X, screenM.Y, 0));
+            eye = view.Viewpoint;
             if (_settings.Aim == AimRay.Muzzle && muzzleM is Vector3D muzzle)
-                eye = _surface.TransformPoint(Axes.ScreenToSurface(muzzle, _screenSizeM));
-            return dot.IsFinite && eye.IsFinite && _surface.InverseTransformPoint(eye).Z < 0;
+                eye = view.ScreenToScene(muzzle);
+            return dot.IsFinite && eye.IsFinite && view.Surface.InverseTransformPoint(eye).Z < 0;
         }
 
         /// <summary>
         /// The covariance (mm²) on the screen carried to the plane of the target through the hit point, in m²: linearised, as the
         /// ray's foot moves when the dot moves and the eye stays.
         /// </summary>
-        private Covariance2D ToTarget(Covariance2D screenMm2, Vector3D eye, Vector3D dot, in RaycastHit met)
+        private static Covariance2D ToTarget(Pose surface, Covariance2D screenMm2, Vector3D eye, Vector3D dot, in RaycastHit met)
         {
             Rotation3D rotation = met.ObjectPose.Rotation;
             if (rotation.X == 0 && rotation.Y == 0 && rotation.Z == 0 && rotation.W == 0)
@@ -116,8 +116,8 @@ namespace LaserTracking.Scoring
                 slope = slope < 0 ? -LeastSlope * along.Length : LeastSlope * along.Length;
 
             // P(d) = eye + d · (h / dz) with dz = d.z, h = the plane's distance from the eye: dP/du = h/dz · (u − d · u.z / dz).
-            Vector3D right = met.ObjectPose.InverseTransformDirection(_surface.TransformDirection(new Vector3D(1, 0, 0)));
-            Vector3D down = met.ObjectPose.InverseTransformDirection(_surface.TransformDirection(new Vector3D(0, -1, 0)));
+            Vector3D right = met.ObjectPose.InverseTransformDirection(surface.TransformDirection(new Vector3D(1, 0, 0)));
+            Vector3D down = met.ObjectPose.InverseTransformDirection(surface.TransformDirection(new Vector3D(0, -1, 0)));
             double magnification = reach.Length / along.Length;
             Vector3D byRight = (right - along * (right.Z / slope)) * magnification;
             Vector3D byDown = (down - along * (down.Z / slope)) * magnification;

@@ -12,7 +12,7 @@ namespace LaserTracking.Session
         /// <summary>From the first to the last frame on the recording's clock.</summary>
         public double SecondsMedia;
 
-        /// <summary>By the host's clock; the only value that differs between two runs.</summary>
+        /// <summary>By the host's clock; the only value that differs between two runs. A session's replay repeats the recorded one.</summary>
         public double SecondsWall;
 
         /// <summary>Time of the first frame, microseconds on the recording's clock: where a report's seconds begin; null when not known.</summary>

@@ -47,6 +47,9 @@ namespace LaserTracking.Session
         /// <summary>Camera 0's delay from row to row.</summary>
         public double RowUs { get; set; }
 
+        /// <summary>What its run took by the host's clock, seconds: a replay writes it again, so that its events are the same to the last byte; null: not known.</summary>
+        public double? SecondsWall { get; set; }
+
         /// <summary>Frames in both recordings; known at the end.</summary>
         public long Frames { get; set; }
 

@@ -236,7 +236,8 @@ namespace LaserTracking.Tracking
             {
                 ref DotTrack track = ref _tracks[i];
                 bool isWaiting = !track.IsReported;
-                bool isOverdue = isWaiting && detections.FrameIndex - track.FirstFrame > _settings.MaxWaitFrames;
+                bool isOverdue = isWaiting
+                    && WaitLimit.IsOver(detections.FrameIndex - track.FirstFrame, detections.TimeUs - track.FirstTimeUs, _settings.MaxWaitFrames, _settings.MaxWaitUs);
                 if (isWaiting && !isOverdue && !track.IsSeen && track.LastFrame == _previousFrame)
                 {
                     double tracePx = NearestTracePx(detections, track.LastPx, out double glowPx);

@@ -30,8 +30,11 @@ namespace LaserTracking.Tracking
         /// </summary>
         public long MinTapGapUs { get; set; } = 60_000;
 
-        /// <summary>Frames that a dot which is not conclusive may wait for its proof, 1…60.</summary>
+        /// <summary>Frames that a dot which is not conclusive may wait for its proof at any frame rate, 1…60.</summary>
         public int MaxWaitFrames { get; set; } = 5;
+
+        /// <summary>For how long it may wait where that is more frames, µs, 0…1 s.</summary>
+        public long MaxWaitUs { get; set; } = 170_000;
 
         /// <summary>
         /// A rejected candidate within this of a waiting dot, in the frame where it should have vanished, says that it did not vanish
@@ -59,6 +62,7 @@ namespace LaserTracking.Tracking
             SettingCheck.InRange(nameof(HeldMemoryUs), HeldMemoryUs, 0, 60_000_000);
             SettingCheck.InRange(nameof(MinTapGapUs), MinTapGapUs, 0, 10_000_000);
             SettingCheck.InRange(nameof(MaxWaitFrames), MaxWaitFrames, 1, 60);
+            SettingCheck.InRange(nameof(MaxWaitUs), MaxWaitUs, 0, 1_000_000);
             SettingCheck.InRange(nameof(VanishRadiusPx), VanishRadiusPx, 0, 640);
             SettingCheck.InRange(nameof(HandSpeedPxPerS), HandSpeedPxPerS, 0, 10_000);
             Timing.Validate();

@@ -221,7 +221,7 @@ namespace LaserTracking.Unity
             Verdict = CalibrationMap.Verdict(found);
             State = found.IsAccepted ? CalibrationState.Accepted : CalibrationState.Refused;
             if (found.IsAccepted)
-                Store(_calibrated, new RangeCalibration(found.Screen!, found.View.ImageWidth, found.View.ImageHeight, _before?.HandCamera));
+                Store(_calibrated, new RangeCalibration(found.Screen!, found.View.ImageWidth, found.View.ImageHeight, _before?.HandCamera, false, found.Residuals()));
             else
                 ShotEmitters.Report(this, "calibration " + Verdict, false);
             CalibrationMap.Show(_sheet!, found, _limitMm);

@@ -4,7 +4,7 @@ namespace LaserTracking.Unity
 {
     /// <summary>
     /// Lights a target for a moment after a hit: emission where its materials have some, else their colour. Set in a property block, so
-    /// that no material is copied or changed.
+    /// that no material is copied or changed; blocks that others have set come back afterwards.
     /// </summary>
     internal sealed class TargetFlash
     {
@@ -13,6 +13,7 @@ namespace LaserTracking.Unity
         private static readonly int MainColor = Shader.PropertyToID("_Color");
 
         private readonly Renderer[] _renderers;
+        private readonly MaterialPropertyBlock[] _before;
         private readonly MaterialPropertyBlock _light = new MaterialPropertyBlock();
         private double _untilS;
 
@@ -20,6 +21,7 @@ namespace LaserTracking.Unity
         {
             Target = target;
             _renderers = target.GetComponentsInChildren<Renderer>();
+            _before = System.Array.ConvertAll(_renderers, _ => new MaterialPropertyBlock());
         }
 
         public LaserTarget Target { get; }
@@ -31,7 +33,15 @@ namespace LaserTracking.Unity
             _light.SetColor(Emission, color);
             _light.SetColor(BaseColor, color);
             _light.SetColor(MainColor, color);
-            Set(_light);
+            for (int i = 0; i < _renderers.Length; i++)
+            {
+                if (_renderers[i] == null)
+                    continue;
+                if (!IsLit)
+                    _renderers[i].GetPropertyBlock(_before[i]);
+                _renderers[i].SetPropertyBlock(_light);
+            }
+
             IsLit = true;
             _untilS = untilS;
         }
@@ -44,18 +54,13 @@ namespace LaserTracking.Unity
 
         public void PutOut()
         {
-            if (IsLit)
-                Set(null);
-            IsLit = false;
-        }
-
-        private void Set(MaterialPropertyBlock? block)
-        {
-            for (int i = 0; i < _renderers.Length; i++)
+            for (int i = 0; i < _renderers.Length && IsLit; i++)
             {
                 if (_renderers[i] != null)
-                    _renderers[i].SetPropertyBlock(block);
+                    _renderers[i].SetPropertyBlock(_before[i].isEmpty ? null : _before[i]);
             }
+
+            IsLit = false;
         }
     }
 }

@@ -6,7 +6,7 @@ namespace LaserTracking.Unity
     public sealed class PlayerArguments
     {
         /// <summary>For help texts.</summary>
-        public const string Usage = "[-range-scene NAME] [-range-calibration FILE] [-range-source NAME]";
+        public const string Usage = "[-range-scene NAME] [-range-calibration FILE] [-range-source NAME] [-range-hand-source NAME]";
 
         private PlayerArguments()
         {
@@ -20,6 +20,9 @@ namespace LaserTracking.Unity
 
         /// <summary>Name of camera 0's source; empty: the scene's own.</summary>
         public string Source { get; private set; } = "";
+
+        /// <summary>Name of camera 1's source; empty: the scene's own.</summary>
+        public string HandSource { get; private set; } = "";
 
         /// <param name="arguments">As the operating system gives them.</param>
         /// <param name="parsed">Valid only when true is returned.</param>
@@ -45,6 +48,7 @@ namespace LaserTracking.Unity
                     case "-range-scene": parsed.Scene = value; break;
                     case "-range-calibration": parsed.Calibration = value; break;
                     case "-range-source": parsed.Source = value; break;
+                    case "-range-hand-source": parsed.HandSource = value; break;
                     default:
                         problem = name + " is not known; use " + Usage;
                         return false;

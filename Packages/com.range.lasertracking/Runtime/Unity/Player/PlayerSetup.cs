@@ -6,7 +6,7 @@ using UnityEngine.SceneManagement;
 namespace LaserTracking.Unity
 {
     /// <summary>
-    /// Lets the trainer choose scene, calibration and source on the player's command line (<see cref="PlayerArguments"/>). In every scene of
+    /// Lets the trainer choose scene, calibration and sources on the player's command line (<see cref="PlayerArguments"/>). In every scene of
     /// the player; without arguments it does nothing.
     /// </summary>
     [DisallowMultipleComponent]
@@ -16,13 +16,13 @@ namespace LaserTracking.Unity
     public sealed class PlayerSetup : MonoBehaviour
     {
         [SerializeField]
-        [Tooltip("Sources that -range-source may name.")]
+        [Tooltip("Sources that -range-source and -range-hand-source may name.")]
         private FrameSourceAsset[] _sources = Array.Empty<FrameSourceAsset>();
 
         private void Start()
         {
             if (!PlayerArguments.TryParse(Environment.GetCommandLineArgs(), out PlayerArguments arguments, out string problem))
-                Debug.LogError(problem, this);
+                ShotEmitters.Report(this, problem, true);
             else
                 Apply(arguments);
         }
@@ -36,19 +36,20 @@ namespace LaserTracking.Unity
             }
 
             LaserRange range = GetComponent<LaserRange>();
-            if (arguments.Source.Length > 0)
-                UseSource(range, arguments.Source);
+            if (arguments.Source.Length > 0 && Find("-range-source", arguments.Source) is FrameSourceAsset source)
+                range.Source = source;
+            if (arguments.HandSource.Length > 0 && Find("-range-hand-source", arguments.HandSource) is FrameSourceAsset handSource)
+                range.HandSource = handSource;
             if (arguments.Calibration.Length > 0)
                 UseCalibration(range, arguments.Calibration);
         }
 
-        private void UseSource(LaserRange range, string name)
+        private FrameSourceAsset? Find(string argument, string name)
         {
             FrameSourceAsset? source = Array.Find(_sources, candidate => candidate != null && candidate.name == name);
             if (source == null)
-                Debug.LogError("-range-source " + name + ": there is no such source; name one of these: " + string.Join(", ", Array.ConvertAll(_sources, there => there == null ? "" : there.name)), this);
-            else
-                range.Source = source;
+                ShotEmitters.Report(this, argument + " " + name + ": there is no such source; name one of these: " + string.Join(", ", Array.ConvertAll(_sources, there => there == null ? "" : there.name)), true);
+            return source;
         }
 
         private void UseCalibration(LaserRange range, string file)
@@ -56,7 +57,7 @@ namespace LaserTracking.Unity
             ScreenSurface? screen = range.Screen;
             if (screen == null)
             {
-                Debug.LogError("-range-calibration: the range has no screen to calibrate", this);
+                ShotEmitters.Report(this, "-range-calibration: the range has no screen to calibrate", true);
                 return;
             }
 
@@ -68,7 +69,7 @@ namespace LaserTracking.Unity
             }
             catch (InputException problem)
             {
-                Debug.LogError(problem.Message, this);
+                ShotEmitters.Report(this, problem.Message, true);
             }
         }
     }

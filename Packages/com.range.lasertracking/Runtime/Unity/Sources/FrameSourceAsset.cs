@@ -37,6 +37,15 @@ namespace LaserTracking.Unity
         /// <summary>What the source knows of its cameras itself; used when the <see cref="ScreenSurface"/> has no calibration.</summary>
         public virtual RangeCalibration? Calibration => null;
 
+        /// <summary>
+        /// The calibration that the device's maker gave it, JSON as Azure Kinect recordings carry it; null: it has none, or does not know it before its
+        /// first frame. From any thread.
+        /// </summary>
+        public virtual byte[]? DeviceCalibration => null;
+
+        /// <summary>The same of <see cref="CreateHandSource"/>'s.</summary>
+        public virtual byte[]? HandDeviceCalibration => null;
+
         /// <summary>Opens the source; on the main thread. The caller owns it, reads and disposes it on a thread of its own.</summary>
         /// <param name="range">Plays it; a simulation renders the scene that this range stands in.</param>
         /// <exception cref="InputException">It cannot be opened; the message says what to do.</exception>

@@ -48,6 +48,9 @@ namespace LaserTracking.Unity
                 throw new InputException("mouse source " + name, "its LaserRange " + range.name + (screen == null ? " has no screen" : " has a screen without size") + ", so a click is nowhere", "give it a ScreenSurface of the picture's size in metres");
             if (Camera.main == null)
                 throw new InputException("mouse source " + name, "the scene has no main camera, so a click points nowhere", "tag the camera that draws the picture MainCamera");
+#if !ENABLE_LEGACY_INPUT_MANAGER
+            ShotEmitters.Report(this, "mouse source " + name + ": this project reads input with the Input System package alone, so clicks do not come by themselves; set Player Settings > Active Input Handling to Both, or call Fire", false);
+#endif
             _range = range;
             _calibration = screen.ReadCalibration() ?? Straight(screen.SizeM);
             _noise = MakeNoise(_calibration.ImageWidth * 4 * _calibration.ImageHeight);

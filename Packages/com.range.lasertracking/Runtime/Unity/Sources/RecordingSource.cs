@@ -24,22 +24,30 @@ namespace LaserTracking.Unity
         [Tooltip("Microseconds to add to camera 1's times to bring them on camera 0's clock.")]
         private long _handOffsetUs;
 
+        private byte[]? _deviceCalibration;
+        private byte[]? _handDeviceCalibration;
+
+        public override byte[]? DeviceCalibration => _deviceCalibration;
+
+        public override byte[]? HandDeviceCalibration => _handDeviceCalibration;
+
         public override long HandClockOffsetUs => _handOffsetUs;
 
         public override IFrameSource CreateSource(LaserRange range)
         {
             if (_file.Length == 0)
                 throw new InputException("recording source " + name, "names no file", "give the path of an Azure Kinect recording");
-            return Open(_file, KinectStreams.Color | KinectStreams.Infrared, "colour");
+            return Open(_file, KinectStreams.Color | KinectStreams.Infrared, "colour", out _deviceCalibration);
         }
 
         public override IFrameSource? CreateHandSource() =>
-            _handFile.Length == 0 ? null : Open(_handFile, KinectStreams.Depth | KinectStreams.Infrared, "depth");
+            _handFile.Length == 0 ? null : Open(_handFile, KinectStreams.Depth | KinectStreams.Infrared, "depth", out _handDeviceCalibration);
 
-        private IFrameSource Open(string file, KinectStreams streams, string needed)
+        private IFrameSource Open(string file, KinectStreams streams, string needed, out byte[]? deviceCalibration)
         {
             string path = Path.Combine(Application.streamingAssetsPath, file);
             KinectRecording recording = KinectRecording.Open(path);
+            deviceCalibration = recording.TryReadCalibration(out byte[] json) ? json : null;
             if ((needed == "depth" ? recording.DepthTrack : recording.ColorTrack) != null)
                 return new PrefetchingFrameSource(new KinectRecordingSource(recording, streams));
             recording.Dispose();

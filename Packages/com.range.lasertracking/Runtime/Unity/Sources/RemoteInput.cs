@@ -1,4 +1,5 @@
 using System;
+using System.IO;
 using System.Net;
 using LaserTracking.Geometry;
 using LaserTracking.Remote;
@@ -8,8 +9,8 @@ using UnityEngine;
 namespace LaserTracking.Unity
 {
     /// <summary>
-    /// Shots and poses of a detector in another program or on another machine, over UDP (Documentation~/remote.md). Listens while it
-    /// is enabled; a background thread receives, the main thread drains in Update. Shots with a place on the screen, and published rays that
+    /// Shots and poses of a detector in another program or on another machine, over UDP or through a file (Documentation~/remote.md).
+    /// Listens while it is enabled; a background thread receives, the main thread drains in Update. Shots with a place on the screen, and published rays that
     /// meet it, are cast into the scene as it stood when their light left.
     /// </summary>
     [DisallowMultipleComponent]
@@ -33,6 +34,10 @@ namespace LaserTracking.Unity
         private string[] _allowedSenders = new string[0];
 
         [SerializeField]
+        [Tooltip("File that a detector on this machine replaces again and again; read in place of the network, whose fields then do not count. A relative path begins in Unity's persistent data path. Empty: the network.")]
+        private string _file = "";
+
+        [SerializeField]
         [Tooltip("Camera 0 in the scene, looking along its z axis: the published message's rays start from it. Empty: published rays hit nothing.")]
         private Transform? _camera;
 
@@ -52,21 +57,21 @@ namespace LaserTracking.Unity
 
         private readonly WallClock _wall = new WallClock();
         private readonly RemoteClock _senderClock = new RemoteClock();
-        private RemoteReceiver? _receiver;
+        private IDisposable? _receiver;
         private PublishedAim? _published;
         private bool _hasToldCamera;
 
         /// <summary>What came in; null while it does not listen. Poses are read here, shots are taken by this component.</summary>
-        public RemoteInbox? Inbox => _receiver?.Inbox;
+        public RemoteInbox? Inbox { get; private set; }
 
-        /// <summary>Where it listens; null while it does not.</summary>
-        public IPEndPoint? EndPoint => _receiver?.EndPoint;
+        /// <summary>Where it listens; null while it does not, or watches a file.</summary>
+        public IPEndPoint? EndPoint => (_receiver as RemoteReceiver)?.EndPoint;
 
         /// <summary>The newest published ray as it stands in the scene, smoothed, from the muzzle; false while there is none.</summary>
         public bool TryGetAim(out Ray ray)
         {
             ray = default;
-            if (_receiver == null || _published == null || !_receiver.Inbox.TryGetPose(out RemotePose pose) || !TryPlace(pose, out Vector3D muzzleM, out Vector2D screenM) || !muzzleM.IsFinite)
+            if (Inbox == null || _published == null || !Inbox.TryGetPose(out RemotePose pose) || !TryPlace(pose, out Vector3D muzzleM, out Vector2D screenM) || !muzzleM.IsFinite)
                 return false;
             Vector3 from = Screen!.ScreenToWorld(muzzleM).ToUnity();
             ray = new Ray(from, Screen.ScreenToWorld(new Vector3D(screenM.X, screenM.Y, 0)).ToUnity() - from);
@@ -79,12 +84,27 @@ namespace LaserTracking.Unity
             try
             {
                 _published = new PublishedAim(_axisFlip.ToCore(), _smoothing);
-                _receiver = new RemoteReceiver(ReadSettings(), _wall);
+                if (_file.Length == 0)
+                    Listen(new RemoteReceiver(ReadSettings(), _wall));
+                else
+                    Watch(new RemoteFileReceiver(Path.Combine(Application.persistentDataPath, _file), new RemoteSettings(), _wall));
             }
             catch (Exception problem) when (problem is InputException || problem is ArgumentException)
             {
                 Report("RemoteInput " + name + ": " + problem.Message, true);
             }
+        }
+
+        private void Listen(RemoteReceiver receiver)
+        {
+            _receiver = receiver;
+            Inbox = receiver.Inbox;
+        }
+
+        private void Watch(RemoteFileReceiver receiver)
+        {
+            _receiver = receiver;
+            Inbox = receiver.Inbox;
         }
 
         // Not in OnEnable: by now the main camera is awake, wherever it is.
@@ -98,13 +118,14 @@ namespace LaserTracking.Unity
         {
             _receiver?.Dispose();
             _receiver = null;
+            Inbox = null;
             ShotEmitters.Remove(this);
         }
 
         private void Update()
         {
-            if (_receiver != null)
-                Drain(_receiver.Inbox, _published!);
+            if (Inbox != null)
+                Drain(Inbox, _published!);
             RaiseHealth();
         }
 
@@ -159,12 +180,11 @@ namespace LaserTracking.Unity
                 && _published!.TryPlace(pose, _camera.WorldPose(), Screen.Pose, Screen.SizeM, out muzzleM, out screenM);
         }
 
+        /// <summary>A range of the scene may have set the clock that the targets move by.</summary>
+        private protected override double ClockOffsetS => MovingTargets.Count > 0 ? MovingTargets.At(0).ClockOffsetS : 0;
+
         /// <summary>When the light left, on the clock that the targets move by.</summary>
-        private double SceneTimeS(long senderTimeUs)
-        {
-            double offsetS = MovingTargets.Count > 0 ? MovingTargets.At(0).ClockOffsetS : 0;
-            return Time.timeAsDouble + offsetS - _senderClock.AgeS(senderTimeUs, _wall.NowUs) - _latencyS;
-        }
+        private double SceneTimeS(long senderTimeUs) => Time.timeAsDouble + ClockOffsetS - _senderClock.AgeS(senderTimeUs, _wall.NowUs) - _latencyS;
 
         private RemoteSettings ReadSettings()
         {

@@ -191,7 +191,7 @@ namespace LaserTracking.Detection
                 dot = candidate.DotIndex == 0 ? candidate : dot;
             ReadOnlySpan<TestOutcome> evidence = trace.EvidenceOf(dot);
             Assert.That(evidence.Length, Is.EqualTo(Enum.GetValues(typeof(DotFeature)).Length));
-            double sum = DetectionTrace.BaseLogOdds;
+            double sum = trace.BaseLogOdds;
             foreach (TestOutcome feature in evidence)
                 sum += feature.LogOdds;
             TestOutcome last = default;

@@ -31,6 +31,23 @@ namespace LaserTracking.Geometry
             Assert.That(new[] { found.XX, found.XY, found.YY }, Is.EqualTo(new[] { expected.XX, expected.XY, expected.YY }).Within(1e-6 * expected.XX));
         }
 
+        [TestCase(7, 7)]
+        [TestCase(1000, 200)]
+        public void RangeCalibrationFile_Residuals_AreKeptAsFarAsNeeded(int count, int kept)
+        {
+            RangeCalibration example = Example();
+            var residuals = new ScreenResidual[count];
+            for (int i = 0; i < count; i++)
+                residuals[i] = new ScreenResidual(new Vector2D(i * 0.001, 1), new Vector2D(0.25, -i));
+            string text = RangeCalibrationFile.Format(new RangeCalibration(example.Screen, 1280, 720, null, false, residuals));
+            RangeCalibration read = RangeCalibrationFile.Parse(text, "test");
+            Assert.That(read.Residuals, Has.Count.EqualTo(kept));
+            ScreenResidual last = read.Residuals[kept - 1];
+            Assert.That(last.OffMm.Y, Is.EqualTo(-1000 * last.ScreenM.X).Within(1e-6));
+            foreach (string bad in new[] { "7", "[[1,2,3]]", "[[1,2,3,\"x\"]]" })
+                Assert.Throws<InputException>(() => RangeCalibrationFile.Parse(Valid.Replace("\"v\": 1", "\"v\": 1, \"residuals_mm\": " + bad), "test"));
+        }
+
         [TestCase("\"v\": 1", "\"v\": 2", "newer release")]
         [TestCase("\"v\": 1", "\"v\": 1e99", "v is no version")]
         [TestCase("\"v\": 1", "\"v\": 0", "v is no version")]

@@ -97,6 +97,13 @@ namespace LaserTracking.Remote
         }
 
         [Test]
+        public void File_NameThatIsNone_IsRefused()
+        {
+            foreach (string name in new[] { "", _folder, "a\0b" })
+                Assert.Throws<InputException>(() => new RemoteFileReceiver(name, new RemoteSettings(), new WallClock()));
+        }
+
+        [Test]
         public void File_InAFolderThatIsNotThere_CannotBeWritten()
         {
             Assert.Throws<InputException>(() => RemoteFile.Write(Path.Combine(_folder, "no", "a.json"), new byte[1]));

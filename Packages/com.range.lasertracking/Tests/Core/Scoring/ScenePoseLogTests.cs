@@ -138,6 +138,36 @@ namespace LaserTracking.Scoring
         }
 
         [Test]
+        public void Read_ScreenAndEyeThatMoved_ShotGoesThroughThemAsTheyStood()
+        {
+            SceneModel scene = Scene(), still = Write(scene, log =>
+            {
+                for (int i = 0; i < 5; i++)
+                {
+                    log.Add(ScenePoseLog.Surface, i, scene.Surface);
+                    log.Add(ScenePoseLog.Viewpoint, i, new Pose(scene.Viewpoint, Rotation3D.Identity));
+                }
+            });
+            Assert.That(File.ReadAllText(_path).Split('\n'), Has.Length.EqualTo(2), "what stays is not logged");
+            SceneModel moved = Write(scene, log =>
+            {
+                for (int i = 0; i <= 10; i++)
+                {
+                    var shift = new Vector3D(Math.Max(0, i - 5), 0, 0);
+                    log.Add(ScenePoseLog.Surface, i, new Pose(scene.Surface.Position + shift, scene.Surface.Rotation));
+                    log.Add(ScenePoseLog.Viewpoint, i, new Pose(scene.Viewpoint + shift, Rotation3D.Identity));
+                }
+            });
+            var middle = new Vector2D(scene.ScreenSizeM.X / 2, scene.ScreenSizeM.Y / 2);
+            foreach ((SceneModel model, double timeS, double atM) in new[] { (still, 9.0, 0.0), (moved, 4.0, 0.0), (moved, 7.5, 2.5), (moved, 20.0, 5.0) })
+            {
+                ScreenView view = model.ViewAt(timeS);
+                Assert.That(view.Viewpoint.X - scene.Viewpoint.X, Is.EqualTo(atM).Within(1e-9));
+                Assert.That(view.ScreenToScene(new Vector3D(middle.X, middle.Y, 0)).X - scene.Surface.Position.X, Is.EqualTo(atM).Within(1e-9));
+            }
+        }
+
+        [Test]
         public void Add_Warm_AllocatesNothing()
         {
             using var log = new ScenePoseLog(new MemoryStream(1 << 20), Scene());

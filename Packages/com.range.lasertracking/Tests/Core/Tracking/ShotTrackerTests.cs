@@ -9,9 +9,14 @@ namespace LaserTracking.Tracking
     {
         private readonly Detections _detections = new Detections();
         private ShotTracker _tracker = new ShotTracker();
+        private long _intervalUs;
 
         [SetUp]
-        public void NewTracker() => _tracker = new ShotTracker();
+        public void NewTracker()
+        {
+            _tracker = new ShotTracker();
+            _intervalUs = 33_333;
+        }
 
         [Test]
         public void Process_ConclusiveDotOverThreeFrames_IsOneShotAtItsFirstPlace()
@@ -146,6 +151,26 @@ namespace LaserTracking.Tracking
             }
         }
 
+        [TestCase(7, 5, true)]
+        [TestCase(30, 5, true)]
+        [TestCase(30, 6, false)]
+        [TestCase(60, 10, true)]
+        [TestCase(60, 11, false)]
+        [TestCase(120, 20, true)]
+        public void Process_InconclusiveDotOfSomeFrames_IsAShotUpToTheSameDurationAtEveryRate(int framesPerSecond, int frames, bool isShot)
+        {
+            _intervalUs = 1_000_000 / framesPerSecond;
+            Frame(0);
+            int shots = 0;
+            for (int frame = 1; frame <= frames + 1; frame++)
+            {
+                Frame(frame, frame <= frames ? new[] { Dot(100, 100, false, frame == 1) } : new Dot[0]);
+                shots += _tracker.Shots.Length;
+            }
+
+            Assert.That(shots, Is.EqualTo(isShot ? 1 : 0));
+        }
+
         [Test]
         public void Finish_WaitingDot_IsNotConfirmed()
         {
@@ -176,7 +201,7 @@ namespace LaserTracking.Tracking
 
         private void Begin(int index)
         {
-            _detections.Begin(index, index * 33333L);
+            _detections.Begin(index, index * _intervalUs);
             _detections.ImageWidthPx = 640;
         }
 

@@ -111,7 +111,7 @@ namespace LaserTracking.Host.Commands
             JObject result = ScreenReport.OfPattern(found);
             Console.WriteLine(result.ToString());
             ScreenReport.Say(found);
-            return found.IsAccepted ? Merged(new RangeCalibration(found.Screen!, found.View.ImageWidth, found.View.ImageHeight, null), result) : null;
+            return found.IsAccepted ? Merged(new RangeCalibration(found.Screen!, found.View.ImageWidth, found.View.ImageHeight, null, false, found.Residuals()), result) : null;
         }
 
         private static JObject? ByHand(string? file, string[] corners, Vector2D sizeM, string imageSize, bool isSizeGiven, double limitMm, LensCamera? lens, ResultFile? map)
@@ -136,7 +136,7 @@ namespace LaserTracking.Host.Commands
             };
             proof.AddTo(result);
             Console.WriteLine(result.ToString());
-            return proof.Passes("; nothing was written") ? Merged(calibration, result) : null;
+            return proof.Passes("; nothing was written") ? Merged(new RangeCalibration(screen!, width, height, null, false, proof.Residuals), result) : null;
         }
 
         private static JObject Merged(RangeCalibration calibration, JObject result)

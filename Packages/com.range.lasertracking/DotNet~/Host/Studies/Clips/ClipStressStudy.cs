@@ -1,5 +1,7 @@
+using System;
 using System.Linq;
 using System.Threading;
+using LaserTracking.Detection;
 using LaserTracking.Host.Scoring;
 
 namespace LaserTracking.Host.Studies.Clips
@@ -11,17 +13,24 @@ namespace LaserTracking.Host.Studies.Clips
 
         public string What => "the recorded clips with noise, exposure steps, shaking and other exposures";
 
-        public StudyTable Run(StudyOptions options, CancellationToken interrupted)
+        public StudyTable Run(StudyOptions options, CancellationToken interrupted) => Run(ClipSet.Open(), _ => null, options, interrupted);
+
+        /// <param name="clips">To be played.</param>
+        /// <param name="settingsOf">The detector's for the clip with this index; its defaults where null.</param>
+        /// <param name="options">Which cases, and the progress line.</param>
+        /// <param name="interrupted">Ends the study.</param>
+        public static StudyTable Run(ClipSet clips, Func<int, ShotDetectorSettings?> settingsOf, StudyOptions options, CancellationToken interrupted)
         {
-            ClipSet clips = ClipSet.Open();
             PictureStress[] cases = PictureStress.All().Where(c => options.Includes(c.Name)).ToArray();
             ClipTally[] tallies = cases.Select(_ => new ClipTally()).ToArray();
-            foreach (TruthClip clip in clips.Clips)
+            for (int index = 0; index < clips.Clips.Count; index++)
             {
-                ClipRun[] runs = cases.Select(_ => new ClipRun()).ToArray();
+                TruthClip clip = clips.Clips[index];
+                ShotDetectorSettings? settings = settingsOf(index);
+                ClipRun[] runs = cases.Select(_ => new ClipRun(settings)).ToArray();
                 StressedClip.Play(clips, clip, cases, options, (i, frame, shiftPx) => runs[i].Process(frame, shiftPx), interrupted);
                 for (int i = 0; i < cases.Length; i++)
-                    tallies[i].Add(clip, runs[i].Reported);
+                    tallies[i].Add(clip, runs[i].Reported, runs[i].WhyNot);
             }
 
             var table = new StudyTable(clips.Clips.Count + " clips, " + clips.Clips.Sum(c => c.Shots.Count) + " shots; step: ten frames each as they are, brighter, as they are, darker; shake: whole pixels, smooth: fractions", ClipTally.Columns);

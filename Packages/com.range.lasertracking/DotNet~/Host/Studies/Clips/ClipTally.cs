@@ -17,7 +17,7 @@ namespace LaserTracking.Host.Studies.Clips
 
         public static string[] Columns { get; } = { "case", "found", "false", "colour right", "in first frame", "error px median", "p95" };
 
-        public void Add(TruthClip clip, IReadOnlyList<ReportedShot> shots)
+        public void Add(TruthClip clip, IReadOnlyList<ReportedShot> shots, Func<TruthShot, string> whyNot)
         {
             int[] taken = ShotMatcher.Match(clip, shots);
             _shots += clip.Shots.Count;
@@ -39,7 +39,7 @@ namespace LaserTracking.Host.Studies.Clips
             }
 
             foreach (int i in Enumerable.Range(0, clip.Shots.Count).Where(i => !taken.Contains(i)))
-                _missed.Add(FormattableString.Invariant($"{clip.Shots[i].Id} frame {clip.Shots[i].FirstVisibleFrame} at {clip.Shots[i].PlacesPx[0].X:F0},{clip.Shots[i].PlacesPx[0].Y:F0}"));
+                _missed.Add(FormattableString.Invariant($"{clip.Shots[i].Id} frame {clip.Shots[i].FirstVisibleFrame} at {clip.Shots[i].PlacesPx[0].X:F0},{clip.Shots[i].PlacesPx[0].Y:F0}: {whyNot(clip.Shots[i])}"));
         }
 
         public void Write(string name, StudyTable table)

@@ -27,7 +27,7 @@ namespace LaserTracking.Host.Studies.Clips
                     options.Progress.Show(pasted.Name + ", " + clip.File);
                     var run = new ClipRun();
                     TruthClip truth = pasted.Play(clips, clip, templates, random, frame => run.Process(frame, default), interrupted);
-                    tally.Add(truth, run.Without(clip));
+                    tally.Add(truth, run.Without(clip), run.WhyNot);
                 }
 
                 tally.Write(pasted.Name, table);

@@ -1,5 +1,7 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
+using LaserTracking.Detection;
 
 namespace LaserTracking.Host.Studies.Evidence
 {
@@ -42,6 +44,11 @@ namespace LaserTracking.Host.Studies.Evidence
 
             return sum;
         }
+
+        /// <summary>For a detector to weigh candidates by.</summary>
+        /// <param name="measures">What each feature is called and is a reason for.</param>
+        public DotEvidence ToEvidence(TestOutcome[] measures) =>
+            new(Base, measures.Select((m, i) => new EvidenceCurve(m.What, m.Reason, Edges[i], Values[i].Select(v => (float)v).ToArray())).ToArray());
 
         private static void Join(float[] edges, double[] values, out float[] joinedEdges, out double[] joinedValues)
         {

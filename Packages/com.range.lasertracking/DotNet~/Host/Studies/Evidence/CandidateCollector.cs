@@ -43,7 +43,7 @@ namespace LaserTracking.Host.Studies.Evidence
                 if (evidence.IsEmpty || evidence[(int)DotFeature.Freshness].Value < MinFreshness || evidence[(int)DotFeature.Rise].Value < MinRise)
                     continue;
                 var features = new float[evidence.Length];
-                double logOdds = DetectionTrace.BaseLogOdds;
+                double logOdds = trace.BaseLogOdds;
                 for (int i = 0; i < features.Length; i++)
                 {
                     features[i] = (float)evidence[i].Value;

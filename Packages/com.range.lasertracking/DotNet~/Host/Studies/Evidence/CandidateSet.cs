@@ -15,9 +15,6 @@ namespace LaserTracking.Host.Studies.Evidence
     {
         public const string SimulationCase = "simulated";
 
-        /// <summary>So over-exposed that many of the clips' true dots no longer rise: what is labelled a dot there would teach nothing.</summary>
-        private const string OverExposed = "gain-1.7";
-
         private readonly StudyOptions _options;
         private readonly CancellationToken _interrupted;
         private readonly List<string> _cases = new();
@@ -56,7 +53,7 @@ namespace LaserTracking.Host.Studies.Evidence
 
         private void AddStressed(ClipSet clips)
         {
-            PictureStress[] cases = PictureStress.All().Where(c => c.Name != OverExposed && _options.Includes(c.Name)).ToArray();
+            PictureStress[] cases = PictureStress.All().Where(c => _options.Includes(c.Name)).ToArray();
             int firstCase = _cases.Count;
             _cases.AddRange(cases.Select(c => c.Name));
             for (int group = 0; group < clips.Clips.Count && cases.Length > 0; group++)

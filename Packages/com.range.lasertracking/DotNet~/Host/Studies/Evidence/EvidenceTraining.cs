@@ -19,17 +19,21 @@ namespace LaserTracking.Host.Studies.Evidence
         /// <summary>Every second candidate that is no dot is learned from, for two.</summary>
         private const double NoDotShare = 0.5;
 
-        private EvidenceTraining(CandidateSet set, BoostedCurves curves, double[] leftOut)
+        private EvidenceTraining(CandidateSet set, BoostedCurves curves, IReadOnlyDictionary<int, BoostedCurves> without)
         {
             Set = set;
             Curves = curves;
-            LeftOut = leftOut;
+            Without = without;
+            LeftOut = set.Candidates.Select(c => without.TryGetValue(c.Group, out BoostedCurves? others) ? others.LogOdds(c.Features) : double.NaN).ToArray();
             InSample = set.Candidates.Select(c => curves.LogOdds(c.Features)).ToArray();
         }
 
         public CandidateSet Set { get; }
 
         public BoostedCurves Curves { get; }
+
+        /// <summary>By group: curves that have not seen it.</summary>
+        public IReadOnlyDictionary<int, BoostedCurves> Without { get; }
 
         /// <summary>Log-odds of each candidate by curves that have not seen its group; NaN where there is only one group.</summary>
         public double[] LeftOut { get; }
@@ -52,7 +56,7 @@ namespace LaserTracking.Host.Studies.Evidence
             var booster = new CurveBooster();
             options.Progress.Show("learning");
             BoostedCurves curves = booster.Fit(bins, binned, isDot, weights);
-            double[] leftOut = Enumerable.Repeat(double.NaN, all.Count).ToArray();
+            var byGroup = new Dictionary<int, BoostedCurves>();
             int[] groups = all.Select(c => c.Group).Distinct().Order().ToArray();
             for (int fold = 0; fold < Math.Min(Folds, groups.Length) && groups.Length > 1 && !interrupted.IsCancellationRequested; fold++)
             {
@@ -62,11 +66,11 @@ namespace LaserTracking.Host.Studies.Evidence
                 if (!Enumerable.Range(0, own.Length).Any(i => own[i] > 0 && isDot[i]) || !Enumerable.Range(0, own.Length).Any(i => own[i] > 0 && !isDot[i]))
                     continue;
                 BoostedCurves others = booster.Fit(bins, binned, isDot, own);
-                for (int i = 0; i < all.Count; i++)
-                    leftOut[i] = without.Contains(all[i].Group) ? others.LogOdds(all[i].Features) : leftOut[i];
+                foreach (int group in without)
+                    byGroup.Add(group, others);
             }
 
-            return new EvidenceTraining(set, curves, leftOut);
+            return new EvidenceTraining(set, curves, byGroup);
         }
 
         public static bool IsDot(WeighedCandidate candidate) => candidate.Label != CandidateLabel.NoDot;

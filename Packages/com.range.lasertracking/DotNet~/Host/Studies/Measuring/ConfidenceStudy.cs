@@ -113,7 +113,6 @@ namespace LaserTracking.Host.Studies.Measuring
             MinRise = 0.08,
             MinLogOdds = -3,
             MaxRingShare = 0.12,
-            MaxMotionShare = 0.3,
         };
 
         private static void AddRows(StudyTable table, string name, List<JudgedDot> dots)

@@ -207,7 +207,7 @@ namespace LaserTracking.Capture.Recording
             if (_jpeg != null && head.ColorFormat != KinectImageFormat.Unknown)
                 head.ColorFormat = KinectImageFormat.Mjpg;
             head.ColorRegion = _settings.Region;
-            head.DeviceCalibration = _settings.DeviceCalibration;
+            head.DeviceCalibration = _settings.DeviceCalibration?.Invoke();
             head.SerialNumber = _settings.SerialNumber;
             return new KinectRecordingWriter(_stream, head);
         }

@@ -19,8 +19,8 @@ namespace LaserTracking.Capture.Recording
         /// <summary>Nominal, of the camera; 0: unknown.</summary>
         public double FramesPerSecond { get; set; }
 
-        /// <summary>The device's own calibration.json; null: none.</summary>
-        public byte[]? DeviceCalibration { get; set; }
+        /// <summary>The device's own calibration.json or null, asked for with the first frame, by the recorder's thread: before, a device may not know it.</summary>
+        public Func<byte[]?>? DeviceCalibration { get; set; }
 
         /// <summary>Null: unknown.</summary>
         public string? SerialNumber { get; set; }

@@ -5,39 +5,59 @@ namespace LaserTracking.Detection
     /// <summary>
     /// How much speaks for a candidate being the first light of a laser dot: log-odds, the sum of what each measured quantity says
     /// (a generalised additive logistic model). No single quantity decides: a strong round dot may lie where much moves, a faint one
-    /// must be alone.
+    /// must be alone. Immutable.
     /// </summary>
-    internal static class DotEvidence
+    public sealed class DotEvidence
     {
-        public static int Count => DotEvidenceCurves.All.Length;
+        /// <summary>Number of features: of <see cref="DotFeature"/>.</summary>
+        public const int Count = (int)DotFeature.Asymmetry + 1;
 
-        public static ReadOnlySpan<EvidenceCurve> Curves => DotEvidenceCurves.All;
+        /// <summary>What no measure says of most dots at their best, log-odds: that one does not outshine the picture is no reason.</summary>
+        private const float OftenAtBest = 1.6f;
+
+        private readonly EvidenceCurve[] _curves;
+
+        /// <param name="baseLogOdds">Log-odds before anything is measured.</param>
+        /// <param name="curves">One for each <see cref="DotFeature"/>, in their order. Kept.</param>
+        /// <exception cref="ArgumentException">Their number is another one.</exception>
+        public DotEvidence(double baseLogOdds, EvidenceCurve[] curves)
+        {
+            if (curves.Length != Count)
+                throw new ArgumentException("one curve is needed for each feature", nameof(curves));
+            Base = baseLogOdds;
+            _curves = curves;
+        }
+
+        /// <summary>What the detector was built with.</summary>
+        public static DotEvidence Learned { get; } = new DotEvidence(DotEvidenceCurves.Base, DotEvidenceCurves.All);
+
+        public ReadOnlySpan<EvidenceCurve> Curves => _curves;
 
         /// <summary>Log-odds before anything is measured.</summary>
-        public static double Base => DotEvidenceCurves.Base;
+        public double Base { get; }
 
         /// <summary>The sum over all features.</summary>
-        public static double LogOdds(ReadOnlySpan<float> features)
+        public double LogOdds(ReadOnlySpan<float> features)
         {
-            double sum = DotEvidenceCurves.Base;
+            double sum = Base;
             for (int i = 0; i < features.Length; i++)
-                sum += DotEvidenceCurves.All[i].At(features[i]);
+                sum += _curves[i].At(features[i]);
             return sum;
         }
 
         /// <summary>The sum if everything around the candidate, which takes long to measure, spoke for it as much as it ever can.</summary>
-        public static double HighestLogOdds(ReadOnlySpan<float> features)
+        public double HighestLogOdds(ReadOnlySpan<float> features)
         {
-            double sum = DotEvidenceCurves.Base;
+            double sum = Base;
             for (int i = 0; i < features.Length; i++)
-                sum += IsOfSurroundings(i) ? DotEvidenceCurves.All[i].Highest : DotEvidenceCurves.All[i].At(features[i]);
+                sum += IsOfSurroundings(i) ? _curves[i].Highest : _curves[i].At(features[i]);
             return sum;
         }
 
         /// <summary>The feature that speaks most against a dot.</summary>
         /// <param name="features">One value for each.</param>
         /// <param name="withSurroundings">False: only those of the candidate itself.</param>
-        public static int StrongestAgainst(ReadOnlySpan<float> features, bool withSurroundings)
+        public int StrongestAgainst(ReadOnlySpan<float> features, bool withSurroundings)
         {
             int strongest = 0;
             float lowest = float.PositiveInfinity;
@@ -47,7 +67,7 @@ namespace LaserTracking.Detection
                     continue;
 
                 // What a feature could say at best is the yardstick: one that never says much for a dot is no reason.
-                float loss = DotEvidenceCurves.All[i].At(features[i]) - DotEvidenceCurves.All[i].Highest;
+                float loss = _curves[i].At(features[i]) - Math.Min(_curves[i].Highest, OftenAtBest);
                 if (loss >= lowest)
                     continue;
                 lowest = loss;
@@ -68,6 +88,7 @@ namespace LaserTracking.Detection
                 case DotFeature.ContrastNow:
                 case DotFeature.ContrastBefore:
                 case DotFeature.RisenAround:
+                case DotFeature.Asymmetry:
                     return true;
                 default:
                     return false;

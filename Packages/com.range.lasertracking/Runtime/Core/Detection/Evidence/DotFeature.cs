@@ -6,9 +6,6 @@ namespace LaserTracking.Detection
     /// </summary>
     public enum DotFeature
     {
-        /// <summary>Logarithm of the rise through the picture's temporal noise.</summary>
-        LogRiseSigmas,
-
         /// <summary>Rise through the room that was left, 0…1.</summary>
         Rise,
 
@@ -65,5 +62,8 @@ namespace LaserTracking.Detection
 
         /// <summary>Logarithm of the rise in levels times the root of the area at 640: what the eye integrates.</summary>
         LogStrength,
+
+        /// <summary>How much the rise differs from itself turned by half a turn, within the box and half its size around it: 0 for light on an even wall.</summary>
+        Asymmetry,
     }
 }

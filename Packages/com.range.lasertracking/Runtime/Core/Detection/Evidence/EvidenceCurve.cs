@@ -3,7 +3,7 @@ using System;
 namespace LaserTracking.Detection
 {
     /// <summary>What one measured quantity says for or against a laser dot: a step function to log-odds. Immutable.</summary>
-    internal sealed class EvidenceCurve
+    public sealed class EvidenceCurve
     {
         private readonly float[] _edges;
         private readonly float[] _values;

@@ -10,16 +10,14 @@ namespace LaserTracking.Detection
 
         /// <param name="view">The frame.</param>
         /// <param name="candidate">Grown, with its colours measured.</param>
-        /// <param name="noise">Temporal noise, levels.</param>
         /// <param name="scale">Working px per pixel of a picture 640 wide.</param>
         /// <param name="contentLevel">Brightest of the projected picture, levels.</param>
         /// <param name="features">One value for each <see cref="DotFeature"/>; those of the surroundings stay as they are.</param>
-        public static void MeasureItself(in FrameView view, in Candidate candidate, double noise, double scale, int contentLevel, Span<float> features)
+        public static void MeasureItself(in FrameView view, in Candidate candidate, double scale, int contentLevel, Span<float> features)
         {
             double rise = candidate.PeakRise, area = candidate.Area / (scale * scale);
             int seed = candidate.SeedY * view.Width + candidate.SeedX;
             DetectionPlane other = candidate.Plane == DetectionPlane.Largest ? DetectionPlane.Smallest : DetectionPlane.Largest;
-            Set(features, DotFeature.LogRiseSigmas, Math.Log(rise / Math.Max(0.5, noise)));
             Set(features, DotFeature.Rise, candidate.PeakRelativeRise / 255.0);
             Set(features, DotFeature.LogArea, Math.Log(area));
             Set(features, DotFeature.Compactness, candidate.Compactness);
@@ -79,8 +77,33 @@ namespace LaserTracking.Detection
             Set(features, DotFeature.DarkenedAround, Share(darker, count));
             Set(features, DotFeature.DarkenedRing, Share(darkerRing, ring));
             Set(features, DotFeature.RisenAround, Share(risen, count));
+            Set(features, DotFeature.Asymmetry, Asymmetry(view, c));
             Set(features, DotFeature.ContrastNow, ring == 0 ? 0 : (nowInside - nowRing / (double)ring) / c.PeakRise);
             Set(features, DotFeature.ContrastBefore, ring == 0 ? 0 : (beforeInside - beforeRing / (double)ring) / c.PeakRise);
+        }
+
+        private static double Asymmetry(in FrameView view, in Candidate c)
+        {
+            int margin = Math.Max(2, (Math.Max(c.Right - c.Left, c.Bottom - c.Top) + 1) / 2);
+            int acrossX = (int)(2 * c.CenterX + 0.5), acrossY = (int)(2 * c.CenterY + 0.5);
+            long different = 0, all = 0;
+            for (int y = Math.Max(0, c.Top - margin); y <= Math.Min(view.Height - 1, c.Bottom + margin); y++)
+            {
+                int mirroredY = acrossY - y;
+                if (mirroredY < 0 || mirroredY >= view.Height)
+                    continue;
+                for (int x = Math.Max(0, c.Left - margin); x <= Math.Min(view.Width - 1, c.Right + margin); x++)
+                {
+                    int mirroredX = acrossX - x;
+                    if (mirroredX < 0 || mirroredX >= view.Width)
+                        continue;
+                    int rise = view.RelativeRise(y * view.Width + x, c.Plane);
+                    different += Math.Abs(rise - view.RelativeRise(mirroredY * view.Width + mirroredX, c.Plane));
+                    all += rise;
+                }
+            }
+
+            return different / (double)Math.Max(1, all);
         }
 
         private static void MeasureInside(in FrameView view, in Candidate c, int half, out double now, out double before)
