@@ -46,7 +46,7 @@ namespace LaserTracking.Detection
         public double ConclusiveLogOdds { get; set; } = 2.1;
 
         /// <summary>Further evidence needed where the projected picture's brightest is known and the candidate is no brighter, log-odds 0…20.</summary>
-        public double ContentLogOdds { get; set; } = 0.4;
+        public double ContentLogOdds { get; set; } = 1.4;
 
         /// <summary>Least area at half height, px² at 640, 0…10000.</summary>
         public double MinAreaPx { get; set; } = 4;
