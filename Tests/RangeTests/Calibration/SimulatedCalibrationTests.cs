@@ -116,11 +116,25 @@ namespace LaserTracking.Calibration
         }
 
         [Test]
-        public void TryCalibrate_LeftAndRightSwapped_SaysSo()
+        public void TryCalibrate_LeftAndRightSwapped_IsRefused()
         {
             List<BoardPair> pairs = new SimulatedBoards(7).Pairs(10, 0.2).Select(p => new BoardPair(p.Right, p.Left)).ToList();
-            StereoCalibration found = Stereo(pairs, Mono(pairs.Select(p => p.Left)), Mono(pairs.Select(p => p.Right)));
-            Assert.That(found.Notes, Has.Some.Contains("left and right are swapped").And.Some.Contains("negative"));
+            Assert.That(WhyNotStereo(pairs, pairs), Does.Contain("left and right are swapped").And.Contain("negative"));
+        }
+
+        [Test]
+        public void TryCalibrate_EveryPairOfTwoMoments_IsRefused()
+        {
+            List<BoardPair> pairs = new SimulatedBoards(8).Pairs(12, 0.2);
+            List<BoardPair> shifted = pairs.Select((pair, i) => new BoardPair(pair.Left, pairs[(i + 1) % pairs.Count].Right)).ToList();
+            Assert.That(WhyNotStereo(shifted, pairs), Does.Contain("the pairs do not agree").And.Contain("not of one moment"));
+        }
+
+        private static string WhyNotStereo(List<BoardPair> pairs, List<BoardPair> alone)
+        {
+            CameraCalibration left = Mono(alone.Select(p => p.Left)), right = Mono(alone.Select(p => p.Right));
+            Assert.That(StereoCalibrator.TryCalibrate(pairs, left.Camera, right.Camera, null, false, out _, out string reason), Is.False);
+            return reason;
         }
 
         [Test]
