@@ -189,23 +189,6 @@ namespace LaserTracking.Commands
             Assert.That(File.Exists(result), Is.False);
         }
 
-        [Test]
-        public void Stereo_BothMirrored_IsSaid_AndTheGeometryIsTheSame()
-        {
-            using var folder = new TemporaryFolder();
-            string corners = Simulate(folder), result = folder.File("stereo.json");
-            Assert.That(CommandLine.Run("calibrate", "stereo", "--corners", corners, "--out", result).ExitCode, Is.EqualTo(ExitCodes.Done));
-            double[] expected = JObject.Parse(File.ReadAllText(result))["T"]!.ToObject<double[]>()!;
-            JObject whole = JObject.Parse(File.ReadAllText(corners));
-            foreach (JToken pair in whole["pairs"]!)
-                (pair["left_px"], pair["right_px"]) = (Mirrored(pair["left_px"]!), Mirrored(pair["right_px"]!));
-            File.WriteAllText(corners, whole.ToString());
-            (int exitCode, _, string error) = CommandLine.Run("calibrate", "stereo", "--corners", corners, "--out", result, "--replace");
-            Assert.That(exitCode, Is.EqualTo(ExitCodes.Done), error);
-            Assert.That(error, Does.Contain("left: the boards appear mirrored"));
-            Assert.That(JObject.Parse(File.ReadAllText(result))["T"]!.ToObject<double[]>(), Is.EqualTo(expected).Within(1e-3));
-        }
-
         /// <summary>The corners of an 8×6 board with every row from its other end.</summary>
         private static JArray Mirrored(JToken px) => new(px.Chunk(8).SelectMany(row => row.Reverse()));
 

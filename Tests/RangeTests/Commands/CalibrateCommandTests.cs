@@ -107,7 +107,7 @@ namespace LaserTracking.Commands
         {
             using var folder = new TemporaryFolder();
             string points = folder.File("points.json"), file = folder.File("screen.json");
-            File.WriteAllText(points, "{" + FourPoints.Replace("3,", "3000,").Replace("2]", "2000]") + "}");
+            File.WriteAllText(points, "{" + FourPoints.Replace("[3,0],[3,2],[0,2]", "[3000,0],[3000,2000],[0,2000]") + "}");
             CommandLine.AssertRefused("point 2 lies at 3000,0, far outside the screen of 3x2 m", "calibrate", "screen", "--size", "3x2", "--points", points, "--out", file);
             CommandLine.Run(["calibrate", "screen", "--size", "3x2", "--out", file, "--corners", .. Corners]);
             CommandLine.AssertRefused("far outside the screen", "calibrate", "verify", file, "--points", points);

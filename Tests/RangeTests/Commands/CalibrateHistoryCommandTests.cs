@@ -91,6 +91,7 @@ namespace LaserTracking.Commands
             string history = folder.File("history");
             CommandLine.AssertRefused("no such folder", "calibrate", "history", history);
             Directory.CreateDirectory(history);
+            Assert.That(Run(folder, "0.1", "--date", "2026-01-01", "--history", history, "--out", folder.Path).ExitCode, Is.EqualTo(ExitCodes.BadInput));
             CommandLine.AssertRefused("holds no calibration", "calibrate", "history", history);
             Calibrate(folder, "0.1", "--date", "2026-01-01", "--history", history);
             File.WriteAllText(Path.Combine(history, "future.json"), "{\"v\":2,\"kind\":\"camera\"}");
@@ -133,7 +134,7 @@ namespace LaserTracking.Commands
         {
             string corners = folder.File("corners.json");
             CommandLine.Run("calibrate", "simulate", "--views", "20", "--noise", noise, "--out", corners);
-            return CommandLine.Run(["calibrate", "board", "--corners", corners, "--out", folder.File("camera.json"), .. options]);
+            return CommandLine.Run(["calibrate", "board", "--corners", corners, .. options.Contains("--out") ? Array.Empty<string>() : ["--out", folder.File("camera.json")], .. options]);
         }
     }
 }
