@@ -122,7 +122,8 @@ namespace LaserTracking.Host.Benchmarks
                     screen[i] = new Vector2D(0.5 + 0.8 * i, 1.0);
                     var muzzle = new Vector3D(800.0 * i + 300, 900 + 10 * (number % 7), -1500);
                     Vector3D aim = (new Vector3D(screen[i].X * 1000, screen[i].Y * 1000, 0) - muzzle).Normalized;
-                    hands.Add(new HandObservation { TrackId = i + 1, PalmMm = muzzle - aim * 150, MuzzleMm = muzzle, AimDirection = aim, SigmaMm = 10 });
+                    hands.Add(new HandObservation { TrackId = i + 1, PersonId = i + 1, PalmMm = muzzle - aim * 150, MuzzleMm = muzzle, AimDirection = aim, SigmaMm = 10, MuzzleSigmaMm = 5 });
+                    hands.Add(new PersonObservation { PersonId = i + 1, EyeMm = muzzle - aim * 750, SigmaMm = 60 });
                     shots[i] = new Shot { Id = number * 4 + i, TimeUs = timeUs, TrackId = number * 4 + i + 1, Dot = new Dot { Color = LaserColor.Green } };
                 }
 

@@ -372,7 +372,7 @@ namespace LaserTracking.Detection
         private void Remember(in FrameView view, in Candidate candidate, in Dot dot, in RememberedDot known)
         {
             RememberedDot remembered = PlaceOf(candidate);
-            remembered.Frames = candidate.IsOnset ? 1 : known.Frames + 1;
+            remembered.Frames = known.Frames + 1;
             remembered.IsConclusive = candidate.IsConclusive;
             remembered.FirstTimeUs = _judge.TimeUs;
             remembered.Color = dot.Color;

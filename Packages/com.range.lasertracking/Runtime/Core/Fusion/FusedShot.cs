@@ -12,6 +12,7 @@ namespace LaserTracking.Fusion
         /// <summary>Probability of that, 0…1; 0 when unknown.</summary>
         public double ShooterProbability;
 
+        /// <summary>Unknown unless the hand's own picture told it: of an arm in depth alone nobody can say which hand fires.</summary>
         public HandSide Hand;
 
         /// <summary>Track of that hand, or 0.</summary>

@@ -29,7 +29,7 @@ namespace LaserTracking.Fusion
         public double SightedShare { get; set; } = 0.93;
 
         /// <summary>Standard deviation between the line of sight over the muzzle and the light about one axis, radians, beside what the tracker says.</summary>
-        public double SightSpreadRad { get; set; } = 0.005;
+        public double SightSpreadRad { get; set; } = 0.003;
 
         /// <summary>For how many shots the expected spread counts beside what is seen of somebody's own.</summary>
         public double SpreadShots { get; set; } = 2.5;
@@ -56,7 +56,7 @@ namespace LaserTracking.Fusion
         public double BentArmShare { get; set; } = 0.2;
 
         /// <summary>Growth of the aim's standard deviation with the distance in time to the nearest sighting, radians a second.</summary>
-        public double AimDriftRadPerS { get; set; } = 0.6;
+        public double AimDriftRadPerS { get; set; } = 0.3;
 
         /// <summary>Growth of the muzzle's standard deviation with the same, metres a second.</summary>
         public double MuzzleDriftMPerS { get; set; } = 0.5;
@@ -71,7 +71,7 @@ namespace LaserTracking.Fusion
         public double StrangerShare { get; set; } = 0.3;
 
         /// <summary>Probability that the hand that fires is not among those seen although it should be in camera 1's picture.</summary>
-        public double HiddenShare { get; set; } = 0.08;
+        public double HiddenShare { get; set; } = 0.04;
 
         /// <summary>The same where it would be outside the picture.</summary>
         public double OutOfViewShare { get; set; } = 0.6;
@@ -101,7 +101,7 @@ namespace LaserTracking.Fusion
         /// How much more others who aim near the dot count in what is said than in what is reckoned: lines of sight err together more often
         /// than a normal distribution lets them. Fitted so that shooter_p is met (simulated range, seeds 1 to 3).
         /// </summary>
-        public double RivalWeight { get; set; } = 3;
+        public double RivalWeight { get; set; } = 2;
 
         /// <summary>Below this probability the shooter is unknown.</summary>
         public double MinProbability { get; set; } = 0.9;

@@ -103,9 +103,9 @@ namespace LaserTracking.Fusion
                 fused[i] = Decide(i, shots[i], _hypotheses.Columns);
             for (int i = 0; i < count; i++)
             {
-                _hypotheses.NoteTime(i, shots[i], screenM[i], new ReadOnlySpan<double>(_probability, i * _settings.MaxHands, _hypotheses.Columns));
-                for (int k = 0; k < _hypotheses.Columns; k++)
-                    _hypotheses.Learn(i, k, screenM[i], shots[i].Dot.Color, _probability[i * _settings.MaxHands + k]);
+                var probabilities = new ReadOnlySpan<double>(_probability, i * _settings.MaxHands, _hypotheses.Columns);
+                _hypotheses.NoteTime(i, shots[i], screenM[i], probabilities);
+                _hypotheses.Learn(i, shots[i], screenM[i], probabilities);
             }
         }
 

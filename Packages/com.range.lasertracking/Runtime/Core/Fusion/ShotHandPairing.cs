@@ -1,5 +1,6 @@
 using System;
 using LaserTracking.Geometry;
+using LaserTracking.Hands;
 
 namespace LaserTracking.Fusion
 {
@@ -35,7 +36,7 @@ namespace LaserTracking.Fusion
             Vector3D axis = camera.PoseInScreenMm.TransformDirection(hand.Hand.AimDirection);
             shot = new FusedShot
             {
-                Hand = hand.Hand.Side,
+                Hand = hand.Hand.IsSideSure ? hand.Hand.Side : HandSide.Unknown,
                 HandTrackId = hand.Hand.TrackId,
                 HasMuzzle = true,
                 MuzzleM = muzzle,
@@ -52,7 +53,12 @@ namespace LaserTracking.Fusion
         /// Density, per m² of the screen, with which this hand's shots fall where the dot is: normal in the angle between the
         /// line and the sights, or the arm, plus a share of outliers over the half space, seen through the solid angle of the screen there.
         /// </summary>
-        public static double ScreenDensity(in PairedHand hand, in FusedShot shot, Vector2D screenM, FusionSettings settings)
+        /// <param name="hand">The hand at the shot's time.</param>
+        /// <param name="shot">As paired.</param>
+        /// <param name="screenM">The dot.</param>
+        /// <param name="settings">Shares and spreads.</param>
+        /// <param name="sightShare">Part of the density that is due to the sights, 0…1.</param>
+        public static double ScreenDensity(in PairedHand hand, in FusedShot shot, Vector2D screenM, FusionSettings settings, out double sightShare)
         {
             Vector3D v = new Vector3D(screenM.X, screenM.Y, 0) - shot.MuzzleM;
             double distance = Math.Max(0.1, v.Length);
@@ -69,13 +75,22 @@ namespace LaserTracking.Fusion
             {
                 // The forearm bears the line out or not; its own angle is far too rough to be more than that.
                 double arm = 2 * wrist, straight = double.IsNaN(shot.AimErrorRad) ? 1 : Math.Exp(-shot.AimErrorRad * shot.AimErrorRad / (2 * arm));
-                double fits = (1 - settings.PoorSightShare) * Density(shot.SightErrorRad, sight) + settings.PoorSightShare * Density(shot.SightErrorRad, 16 * sight);
-                aimed += sighted * fits * (settings.BentArmShare + (1 - settings.BentArmShare) * straight);
+                aimed += sighted * SightDensity(shot.SightErrorRad, sight, settings, out _) * (settings.BentArmShare + (1 - settings.BentArmShare) * straight);
             }
 
+            double bySight = (1 - settings.OutlierShare) * aimed;
             if (sighted < 1)
                 aimed += (1 - sighted) * (double.IsNaN(shot.AimErrorRad) ? anywhere : Density(shot.AimErrorRad, wrist));
-            return ((1 - settings.OutlierShare) * aimed + settings.OutlierShare * anywhere) * solidAnglePerM2;
+            double density = (1 - settings.OutlierShare) * aimed + settings.OutlierShare * anywhere;
+            sightShare = bySight / density;
+            return density * solidAnglePerM2;
+        }
+
+        /// <summary>Density per steradian of light so far beside the line of sight; core is the part of it that is no far worse sighting than it says.</summary>
+        internal static double SightDensity(double angleRad, double variance, FusionSettings settings, out double core)
+        {
+            core = (1 - settings.PoorSightShare) * Density(angleRad, variance);
+            return core + settings.PoorSightShare * Density(angleRad, 16 * variance);
         }
 
         /// <summary>Normal in the two small angles beside a direction, per steradian.</summary>

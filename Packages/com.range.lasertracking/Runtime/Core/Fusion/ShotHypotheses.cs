@@ -19,6 +19,9 @@ namespace LaserTracking.Fusion
         private const double MovingDotPx = 1.5;
         private const long LearnUs = 60_000;
 
+        /// <summary>Less likely hypotheses are not remembered.</summary>
+        private const double MinRemembered = 0.01;
+
         /// <summary>Of one person's sightings those count that are hardly older than the nearest.</summary>
         private const long SameTimeUs = 50_000;
 
@@ -26,11 +29,17 @@ namespace LaserTracking.Fusion
         private readonly FusionSettings _settings;
         private readonly HandHistory _history;
         private readonly SightLines _sights;
+        private readonly ShotMemory _memory;
         private readonly PairedHand[] _hands;
         private readonly int[] _keys;
         private readonly double[] _weights;
         private readonly FusedShot[] _pairs;
+        private readonly double[] _sightShares;
+        private readonly double[] _shares;
         private int _handCount;
+
+        /// <summary>For when the hands were gathered last; shots of one frame share it.</summary>
+        private long? _gatheredUs;
 
         public ShotHypotheses(HandCamera camera, FusionSettings settings)
         {
@@ -38,11 +47,14 @@ namespace LaserTracking.Fusion
             _settings = settings;
             _history = new HandHistory(settings.HistoryLength);
             _sights = new SightLines(settings);
+            _memory = new ShotMemory(camera, settings, _sights);
             Clock = new HandClock(camera);
             _hands = new PairedHand[settings.MaxHands];
             _keys = new int[settings.MaxHands];
             _weights = new double[settings.MaxShots * settings.MaxHands];
             _pairs = new FusedShot[_weights.Length];
+            _sightShares = new double[_weights.Length];
+            _shares = new double[settings.MaxHands];
         }
 
         public HandHistory History => _history;
@@ -63,6 +75,7 @@ namespace LaserTracking.Fusion
         {
             _history.Clear();
             _sights.Clear();
+            _memory.Clear();
             Clock.Clear();
         }
 
@@ -72,6 +85,7 @@ namespace LaserTracking.Fusion
             _history.Add(hands, timeUs);
             foreach (ref readonly PersonObservation person in hands.People)
                 _sights.See(person, _camera, timeUs);
+            _memory.Refresh(_history, timeUs);
             Clock.Update(timeUs, _history, _sights);
         }
 
@@ -80,7 +94,11 @@ namespace LaserTracking.Fusion
         /// <summary>Where the eyes of a column's person are; false when they are unknown.</summary>
         public bool TryEyes(int key, out Vector3D eyesM) => _sights.TryEyes(key, out eyesM);
 
-        public void Begin() => Columns = 0;
+        public void Begin()
+        {
+            Columns = 0;
+            _gatheredUs = null;
+        }
 
         /// <summary>Adds the columns that a shot needs; call for all shots of a frame before weighing any.</summary>
         public void Collect(in Shot shot)
@@ -106,21 +124,29 @@ namespace LaserTracking.Fusion
             for (int k = 0; k < Columns; k++)
             {
                 double prior = (1 - _settings.NobodyPrior) * (_keys[k] > 0 ? 1 : _settings.StrangerShare) / sum;
-                _weights[first + k] = prior * Likelihood(_keys[k], screenM, out _pairs[first + k]) * _sights.ColorFactor(_keys[k], shot.Dot.Color);
+                _weights[first + k] = prior * Likelihood(_keys[k], screenM, out _pairs[first + k], out _sightShares[first + k]) * _sights.ColorFactor(_keys[k], shot.Dot.Color);
             }
         }
 
-        /// <summary>Notes with which probability a shot is a column's.</summary>
-        public void Learn(int row, int column, Vector2D screenM, LaserColor color, double probability)
+        /// <summary>Notes with which probabilities a shot is the columns'.</summary>
+        public void Learn(int row, in Shot shot, Vector2D screenM, ReadOnlySpan<double> probabilities)
         {
-            if (probability < _settings.LearnProbability || _keys[column] < 0)
-                return;
-            _sights.CountColor(_keys[column], color, probability);
-            ref readonly FusedShot pair = ref _pairs[row * _settings.MaxHands + column];
-            // A line that passes far from where they aim over says that something else is wrong: the hand, or the person.
-            double surprise = pair.SightErrorRad / (3 * SightSigmaRad(_keys[column], pair));
-            if (pair.HasMuzzle && surprise < 1 && Math.Abs(pair.PairDeltaUs) <= LearnUs && pair.MuzzleSigmaM < MaxLearnSigmaM)
-                _sights.Learn(_keys[column], pair.MuzzleM, pair.MuzzleSigmaM, new Vector3D(screenM.X, screenM.Y, 0) - pair.MuzzleM, probability * (1 - surprise * surprise));
+            _memory.Begin(shot.TimeUs, screenM);
+            for (int k = 0; k < Columns; k++)
+            {
+                if (_keys[k] < 0 || probabilities[k] < MinRemembered)
+                    continue;
+                ref readonly FusedShot pair = ref _pairs[row * _settings.MaxHands + k];
+                bool isClear = pair.HasMuzzle && !IsMoving(shot) && Math.Abs(pair.PairDeltaUs) <= LearnUs && pair.MuzzleSigmaM < MaxLearnSigmaM;
+                _memory.Add(_keys[k], pair, probabilities[k], isClear ? _sightShares[row * _settings.MaxHands + k] : 0);
+                if (probabilities[k] < _settings.LearnProbability)
+                    continue;
+                _sights.CountColor(_keys[k], shot.Dot.Color, probabilities[k]);
+                if (isClear)
+                    _sights.NoteReach(_keys[k], pair.MuzzleM, probabilities[k]);
+            }
+
+            _memory.End();
         }
 
         /// <summary>
@@ -129,7 +155,7 @@ namespace LaserTracking.Fusion
         /// </summary>
         public void NoteTime(int row, in Shot shot, Vector2D screenM, ReadOnlySpan<double> probabilities)
         {
-            if (shot.Dot.StreakPx.LengthSquared < MovingDotPx * MovingDotPx)
+            if (!IsMoving(shot))
                 return;
             for (int k = 0; k < Columns; k++)
             {
@@ -139,8 +165,16 @@ namespace LaserTracking.Fusion
             }
         }
 
-        private void GatherHands(long timeUs) =>
+        /// <summary>Fired from a swing: tells the time, and of the line less than what the time is off.</summary>
+        private static bool IsMoving(in Shot shot) => shot.Dot.StreakPx.LengthSquared >= MovingDotPx * MovingDotPx;
+
+        private void GatherHands(long timeUs)
+        {
+            if (timeUs == _gatheredUs)
+                return;
+            _gatheredUs = timeUs;
             _handCount = _history.At(timeUs, _settings.WindowUs, _settings.MaxInterpolationUs, _hands);
+        }
 
         private void AddColumn(int key)
         {
@@ -149,32 +183,35 @@ namespace LaserTracking.Fusion
         }
 
         /// <summary>Density of this dot, per m² of the screen, if it is this column's; the pair is that of their likeliest hand.</summary>
-        private double Likelihood(int key, Vector2D screenM, out FusedShot best)
+        private double Likelihood(int key, Vector2D screenM, out FusedShot best, out double sightShare)
         {
             best = default;
+            sightShare = 0;
             long nearest = long.MaxValue;
             for (int i = 0; i < _handCount; i++)
             {
-                if (Share(_hands[i].Hand, key) > 0)
+                _shares[i] = Share(_hands[i].Hand, key);
+                if (_shares[i] > 0)
                     nearest = Math.Min(nearest, Math.Abs(_hands[i].DeltaUs));
             }
 
             double sum = 0, highest = 0, shares = 0;
             for (int i = 0; i < _handCount; i++)
             {
-                double share = Share(_hands[i].Hand, key);
+                double share = _shares[i];
                 if (!(share > 0) || Math.Abs(_hands[i].DeltaUs) > nearest + SameTimeUs)
                     continue;
                 shares += share;
                 PairedHand hand = Sighted(_hands[i], key);
                 if (!ShotHandPairing.TryPair(hand, screenM, _camera, _settings, out FusedShot pair))
                     continue;
-                double density = share * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings) * Stillness(hand, pair);
+                double density = share * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings, out double bySight) * Stillness(hand, pair);
                 sum += density;
                 if (density <= highest)
                     continue;
                 highest = density;
                 best = pair;
+                sightShare = bySight;
             }
 
             double seen = shares > 0 ? sum / Math.Max(1, shares) : 0;
@@ -182,9 +219,11 @@ namespace LaserTracking.Fusion
                 return seen;
             double hidden = HiddenShare(key, screenM);
             double unseen = hidden / _settings.ScreenAreaM2;
+            double total = (1 - hidden) * seen + unseen;
+            sightShare *= (1 - hidden) * highest / Math.Max(1, shares) / total;
             if (unseen > (1 - hidden) * highest)
                 best = default;
-            return (1 - hidden) * seen + unseen;
+            return total;
         }
 
         /// <summary>How much likelier this hand's motion is of somebody who fires than of somebody who does not: most hold still for it.</summary>
@@ -233,9 +272,6 @@ namespace LaserTracking.Fusion
             bool isInView = px.X > marginX && px.X < view.Width - marginX && px.Y > marginY && px.Y < view.Height - marginY;
             return isInView ? _settings.HiddenShare : _settings.OutOfViewShare;
         }
-
-        private double SightSigmaRad(int key, in FusedShot pair) =>
-            _sights.TrySight(key, pair.MuzzleM, pair.MuzzleSigmaM, out _, out double sigma) ? sigma : 1;
 
         /// <summary>The hand with its sight line from where this person is known to aim over.</summary>
         private PairedHand Sighted(in PairedHand seen, int key)

@@ -24,14 +24,9 @@ namespace LaserTracking.Fusion
             public double SigmaM;
             public double ReachM;
 
-            /// <summary>Sums over shots of (I − u uᵀ)/σ² as xx, yy, zz, xy, xz, yz, and of that times the muzzle.</summary>
-            public Vector3D Diagonal;
-            public Vector3D Mixed;
-            public Vector3D Weighted;
-
-            /// <summary>Squared sight errors in units of what is expected, and how many: how steadily this person is seen to aim.</summary>
-            public double SpreadSum;
-            public double SpreadCount;
+            /// <summary>Of shots that are weighed no more, and of those that still are.</summary>
+            public SightEvidence Old;
+            public SightEvidence Recent;
 
             /// <summary>Shots of each colour.</summary>
             public ColorTally Colors;
@@ -90,14 +85,16 @@ namespace LaserTracking.Fusion
             if (at < 0)
                 return false;
             ref readonly Entry e = ref _entries[at];
-            double prior = 1 / (e.SigmaM * e.SigmaM), share = StillShare(e);
-            Vector3D a = e.Diagonal * share + new Vector3D(prior, prior, prior);
+            double prior = 1 / (e.SigmaM * e.SigmaM);
+            SightEvidence known = e.Recent;
+            known.Add(e.Old, StillShare(e));
+            Vector3D a = known.Diagonal + new Vector3D(prior, prior, prior);
             // Inverse of a symmetric 3×3: its adjugate over its determinant.
-            double xy = e.Mixed.X * share, xz = e.Mixed.Y * share, yz = e.Mixed.Z * share;
+            double xy = known.Mixed.X, xz = known.Mixed.Y, yz = known.Mixed.Z;
             double cxx = a.Y * a.Z - yz * yz, cyy = a.X * a.Z - xz * xz, czz = a.X * a.Y - xy * xy;
             double cxy = xz * yz - xy * a.Z, cxz = xy * yz - xz * a.Y, cyz = xy * xz - yz * a.X;
             double determinant = a.X * cxx + xy * cxy + xz * cxz;
-            Vector3D w = e.Weighted * share + e.EyeM * prior, u = towards.Normalized;
+            Vector3D w = known.Weighted + e.EyeM * prior, u = towards.Normalized;
             var sum = new Vector3D(cxx * w.X + cxy * w.Y + cxz * w.Z, cxy * w.X + cyy * w.Y + cyz * w.Z, cxz * w.X + cyz * w.Y + czz * w.Z);
             pivotM = sum * (1 / determinant);
             double along = cxx * u.X * u.X + cyy * u.Y * u.Y + czz * u.Z * u.Z + 2 * (cxy * u.X * u.Y + cxz * u.X * u.Z + cyz * u.Y * u.Z);
@@ -123,29 +120,49 @@ namespace LaserTracking.Fusion
             return true;
         }
 
-        /// <summary>A shot that with this probability is this person's; counts that much.</summary>
-        public void Learn(int personId, Vector3D muzzleM, double muzzleSigmaM, Vector3D directionM, double probability)
+        /// <summary>What a shot tells that with this probability is this person's, seen against all that is known of them so far.</summary>
+        public SightEvidence Weigh(int personId, Vector3D muzzleM, double muzzleSigmaM, Vector3D directionM, double probability)
         {
             int at = IndexOf(personId);
             if (at < 0 || !TryPivot(personId, directionM, out Vector3D pivot, out double pivotSigma, out _))
-                return;
-            ref Entry e = ref _entries[at];
-            Vector3D d = muzzleM - e.EyeM, u = directionM.Normalized;
+                return default;
+            ref readonly Entry e = ref _entries[at];
             double reach = Math.Max(0.1, (muzzleM - pivot).Length), expected = Expected(muzzleSigmaM, reach);
-            double weight = probability / (SpreadScale(e) * expected * reach * reach);
             double error = ShotHandPairing.AngleRad(muzzleM - pivot, directionM), total = expected + pivotSigma * pivotSigma / (reach * reach);
+            SightEvidence evidence = SightEvidence.OfLine(muzzleM, directionM.Normalized, probability / (SpreadScale(e) * expected * reach * reach));
 
             // An error in two directions has twice the variance; one that the pivot may explain says the less about the rest.
-            double share = probability * expected / total;
-            e.SpreadSum = e.SpreadSum * Keep + share * error * error / (2 * total);
-            e.SpreadCount = e.SpreadCount * Keep + share;
-            Vector3D across = muzzleM - u * Vector3D.Dot(muzzleM, u);
-            double keep = (1 - (1 - Keep) * probability) * (1 - (1 - StillShare(e)) * probability);
-            e.LearnedAtM = e.Diagonal.LengthSquared > 0 ? e.LearnedAtM + (e.EyeM - e.LearnedAtM) * (0.3 * probability) : e.EyeM;
-            e.Diagonal = e.Diagonal * keep + new Vector3D(1 - u.X * u.X, 1 - u.Y * u.Y, 1 - u.Z * u.Z) * weight;
-            e.Mixed = e.Mixed * keep - new Vector3D(u.X * u.Y, u.X * u.Z, u.Y * u.Z) * weight;
-            e.Weighted = e.Weighted * keep + across * weight;
-            e.ReachM += 0.2 * probability * (d.Length - e.ReachM);
+            evidence.SpreadCount = probability * expected / total;
+            evidence.SpreadSum = evidence.SpreadCount * error * error / (2 * total);
+            return evidence;
+        }
+
+        /// <summary>Adds what a shot tells, or with a share of -1 takes it back.</summary>
+        public void Add(int personId, in SightEvidence evidence, double share)
+        {
+            int at = IndexOf(personId);
+            if (at >= 0)
+                _entries[at].Recent.Add(evidence, share);
+        }
+
+        /// <summary>Adds what a shot tells that will not be weighed again; older ones fade.</summary>
+        public void Settle(int personId, in SightEvidence evidence, double probability)
+        {
+            int at = IndexOf(personId);
+            if (at < 0)
+                return;
+            ref Entry e = ref _entries[at];
+            e.LearnedAtM = e.Old.Diagonal.LengthSquared > 0 ? e.LearnedAtM + (e.EyeM - e.LearnedAtM) * (0.3 * probability) : e.EyeM;
+            e.Old.Scale((1 - (1 - Keep) * probability) * (1 - (1 - StillShare(e)) * probability));
+            e.Old.Add(evidence, 1);
+        }
+
+        /// <summary>Notes how far from the eyes a muzzle was that fired.</summary>
+        public void NoteReach(int personId, Vector3D muzzleM, double probability)
+        {
+            int at = IndexOf(personId);
+            if (at >= 0)
+                _entries[at].ReachM += 0.2 * probability * ((muzzleM - _entries[at].EyeM).Length - _entries[at].ReachM);
         }
 
         /// <summary>Notes a shot's colour, as a part of a shot.</summary>
@@ -167,8 +184,8 @@ namespace LaserTracking.Fusion
             muzzleSigmaM * muzzleSigmaM / (reachM * reachM) + _settings.SightSpreadRad * _settings.SightSpreadRad;
 
         /// <summary>Factor on that variance: the mean of what was seen and of the expectation, which counts for a few shots.</summary>
-        private double SpreadScale(in Entry e) =>
-            Math.Max(_settings.MinSpreadScale * _settings.MinSpreadScale, (_settings.SpreadShots + e.SpreadSum) / (_settings.SpreadShots + e.SpreadCount));
+        private double SpreadScale(in Entry e) => Math.Max(_settings.MinSpreadScale * _settings.MinSpreadScale,
+            (_settings.SpreadShots + e.Old.SpreadSum + e.Recent.SpreadSum) / (_settings.SpreadShots + e.Old.SpreadCount + e.Recent.SpreadCount));
 
         private static double StillShare(in Entry e) => 1 / (1 + (e.EyeM - e.LearnedAtM).LengthSquared / (MovedM * MovedM));
 

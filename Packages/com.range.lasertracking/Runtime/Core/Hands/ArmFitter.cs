@@ -79,10 +79,10 @@ namespace LaserTracking.Hands
                 fit.AxisSigmaRad = Math.Sqrt(Square(fit.AxisSigmaRad) + Square(_settings.TwoArmsSigmaRad));
             if (hasRear)
                 FitLine(axis, handEnd - _settings.ForearmLengthMm, handEnd, rear, ref fit);
-            Muzzle(axis, isClear, part, ref fit);
+            Muzzle(grid, axis, isClear, part, ref fit);
             if (IsCut(grid, hand + axis * (front - Vector3D.Dot(hand, axis)), axis))
                 fit.MuzzleSigmaMm = Math.Max(fit.MuzzleSigmaMm, _settings.CutSigmaMm);
-            fit.Side = SideOf(part);
+            fit.Side = ArmSide.Of(part, _settings);
             fit.PersonId = part.PersonId;
             if (isClear && IsHole(grid, hand, axis, front, out Vector3D holeRay))
                 BridgeHand(axis, front, holeRay, ref fit);
@@ -286,14 +286,22 @@ namespace LaserTracking.Hands
         /// The end of a narrow part before the hand, or a pistol's length along the line of fire. A muzzle that is seen tells how far
         /// back the palm is, as of a fist only the front is seen, and where two hands on one weapon are seen as one between them all of it.
         /// </summary>
-        private void Muzzle(Vector3D axis, bool isClear, in ArmPart part, ref ArmFit fit)
+        private void Muzzle(DepthGrid grid, Vector3D axis, bool isClear, in ArmPart part, ref ArmFit fit)
         {
             bool hasAim = TryAim(axis, isClear, part, fit, out Vector3D aim, out double aimSigma);
-            if (TryWeapon(axis, fit.PalmMm, out Vector3D end) || (hasAim && TryWeapon(aim, fit.PalmMm, out end)))
+            bool isSeen = TryWeapon(axis, fit.PalmMm, out Vector3D end) || (hasAim && TryWeapon(aim, fit.PalmMm, out end));
+            if (isSeen || (hasAim && TryFront(aim, fit.PalmMm, out end, out _)))
+            {
+                // A weapon that is too few cells wide to be told from the fist is known by its pixels.
+                bool isFine = WeaponTip.TryRefine(grid, hasAim ? aim : axis, ref end, out double spread);
+                isSeen |= isFine && spread < _settings.MaxWeaponSpreadMm;
+                fit.MuzzleSigmaMm = isFine ? _settings.SeenMuzzleSigmaMm : 2 * _settings.SeenMuzzleSigmaMm;
+            }
+
+            if (isSeen)
             {
                 fit.MuzzleMm = end;
                 fit.HasWeapon = true;
-                fit.MuzzleSigmaMm = _settings.SeenMuzzleSigmaMm;
                 if (!hasAim)
                     return;
                 Vector3D grip = fit.MuzzleMm - aim * _settings.GripToMuzzleMm - BoreAboveGrip(aim);
@@ -329,14 +337,17 @@ namespace LaserTracking.Hands
 
         private bool TryWeapon(Vector3D axis, Vector3D palm, out Vector3D end)
         {
-            double front = Front(axis, out double handStart), weapon = front - handStart;
-            end = default;
-            bool isLong = weapon > 3 * BinMm + _settings.HandLengthMm / 6 && weapon <= _settings.MaxWeaponMm;
-            if (!isLong || !(Mean(axis, front - 2 * BinMm, front + 1, out end) > 0) || !IsBefore(end, palm))
-                return false;
+            bool isFront = TryFront(axis, palm, out end, out double weapon);
             // From the middle of the last 20 mm to their end, less what noise makes the foremost cell too near.
             end += axis * (0.5 * BinMm);
-            return true;
+            return isFront && weapon > 3 * BinMm + _settings.HandLengthMm / 6 && weapon <= _settings.MaxWeaponMm;
+        }
+
+        private bool TryFront(Vector3D axis, Vector3D palm, out Vector3D end, out double weapon)
+        {
+            double front = Front(axis, out double handStart);
+            weapon = front - handStart;
+            return Mean(axis, front - 2 * BinMm, front + 1, out end) > 0 && IsBefore(end, palm);
         }
 
         private static double Square(double value) => value * value;
@@ -345,15 +356,6 @@ namespace LaserTracking.Hands
         private bool IsBefore(Vector3D end, Vector3D palm) => Vector3D.Dot(palm - end, _upright.Away) > 0.25 * _settings.MuzzleBeyondPalmMm;
 
         private Vector3D BoreAboveGrip(Vector3D axis) => (_upright.Up - axis * Vector3D.Dot(_upright.Up, axis)).Normalized * _settings.BoreAboveGripMm;
-
-        /// <summary>The camera faces the trainee: their right shoulder is on the picture's left. Near the body's middle: unknown.</summary>
-        private HandSide SideOf(in ArmPart part)
-        {
-            if (!part.HasTorso || !part.HasOneRoot)
-                return HandSide.Unknown;
-            double offset = part.RootXMm - part.TorsoMm.X, limit = 0.4 * _settings.TorsoHalfWidthMm;
-            return offset < -limit ? HandSide.Right : offset > limit ? HandSide.Left : HandSide.Unknown;
-        }
 
         /// <summary>True when most of what lies before the front end has no depth at all; the middle of that, as a ray (z = 1).</summary>
         private bool IsHole(DepthGrid grid, Vector3D hand, Vector3D axis, double front, out Vector3D ray)

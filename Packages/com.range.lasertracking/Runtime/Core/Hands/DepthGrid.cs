@@ -17,7 +17,7 @@ namespace LaserTracking.Hands
         public DepthGrid(PinholeCamera camera, DepthHandSettings settings, KernelRunner kernels)
         {
             _kernels = kernels;
-            _camera = camera;
+            _camera = View = camera;
             _settings = settings;
         }
 
@@ -39,6 +39,11 @@ namespace LaserTracking.Hands
 
         /// <summary>True where no pixel of the cell had a depth, also after bridging.</summary>
         public bool[] Lost { get; private set; } = Array.Empty<bool>();
+
+        /// <summary>The picture last filled from, and how it sees; null before the first.</summary>
+        public Image? Source { get; private set; }
+
+        public PinholeCamera View { get; private set; }
 
         /// <summary>Surface that a cell covers at distance 1, seen straight on.</summary>
         public double UnitArea { get; private set; }
@@ -65,6 +70,7 @@ namespace LaserTracking.Hands
         {
             if (depth.Width != _imageWidth || depth.Height != _imageHeight)
                 Allocate(depth.Width, depth.Height);
+            Source = depth;
             int first = StepPx >= 4 ? StepPx / 4 : 0, second = StepPx >= 4 ? StepPx - 1 - StepPx / 4 : StepPx - 1;
             fixed (float* z = Z)
             fixed (bool* lost = Lost)
@@ -113,6 +119,7 @@ namespace LaserTracking.Hands
             RayY = new float[Height];
             // A pixel of a smaller mode covers several of the calibrated one; centres are integers in both.
             double scaleX = (double)_camera.Width / imageWidth, scaleY = (double)_camera.Height / imageHeight;
+            View = new PinholeCamera(fx, fy, (_camera.CenterXPx + 0.5) / scaleX - 0.5, (_camera.CenterYPx + 0.5) / scaleY - 0.5, imageWidth, imageHeight);
             double middle = (StepPx - 1) / 2.0;
             for (int column = 0; column < Width; column++)
                 RayX[column] = (float)_camera.Unproject((column * StepPx + middle + 0.5) * scaleX - 0.5, 0, 1).X;

@@ -89,6 +89,12 @@ namespace LaserTracking.Hands
         /// <summary>Longest narrow part before the hand that counts as a weapon: pistols reach 130 mm beyond the fist's front.</summary>
         public double MaxWeaponMm { get; set; } = 250;
 
+        /// <summary>
+        /// What is seen about the foremost point lies that close to its middle line (root mean square) if it is a weapon: 10 to 16 mm a pistol's
+        /// front, above 22 mm a fist.
+        /// </summary>
+        public double MaxWeaponSpreadMm { get; set; } = 20;
+
         /// <summary>Where no weapon is seen: from the palm to the muzzle along the arm. 130 mm fits a pistol held in a fist.</summary>
         public double MuzzleBeyondPalmMm { get; set; } = 130;
 
@@ -116,8 +122,8 @@ namespace LaserTracking.Hands
         /// <summary>Standard deviation of the sensor and of the hand's shape together, along one axis.</summary>
         public double PalmSigmaMm { get; set; } = 12;
 
-        /// <summary>Standard deviation of a muzzle that is seen, along one axis: measured on the simulated range at 2.4 to 2.7 m.</summary>
-        public double SeenMuzzleSigmaMm { get; set; } = 7;
+        /// <summary>Standard deviation across the bore of a muzzle that is seen pixel by pixel; twice that of one of which only cells tell. Measured on the simulated range at 2.4 to 2.7 m: 2 to 4 mm.</summary>
+        public double SeenMuzzleSigmaMm { get; set; } = 3.5;
 
         /// <summary>Standard deviation of a muzzle that is not seen itself, along one axis.</summary>
         public double MuzzleSigmaMm { get; set; } = 35;
@@ -148,7 +154,7 @@ namespace LaserTracking.Hands
             Check(SurfaceStepMm > 0 && HoleMm >= 0 && ForwardMm > 0 && MinReachMm >= 0 && EyeBelowCrownMm >= 0 && EyeSigmaMm > 0 && SightSigmaRad > 0 && ForearmRadiusMm >= 0 && TorsoHalfWidthMm > 0, "lengths above zero");
             Check(MinArmAreaMm2 > 0 && MaxArmAreaMm2 > MinArmAreaMm2 && MaxHandAreaMm2 > MinArmAreaMm2, "areas above zero, limits in order");
             Check(HandLengthMm > 0 && ForearmLengthMm > 0 && HandHalfThicknessMm >= 0 && MinHandWidthMm >= 0, "sizes of the hand above zero");
-            Check(MuzzleBeyondPalmMm >= 0 && GripToMuzzleMm >= 0 && WristSigmaRad > 0 && TwoArmsSigmaRad >= 0 && BoreAboveGripMm >= 0 && WeaponKeptMm >= 0 && WeaponKeptUs >= 0 && PalmSigmaMm > 0 && SeenMuzzleSigmaMm > 0 && MuzzleSigmaMm > 0 && CutSigmaMm > 0, "uncertainties above zero");
+            Check(MaxWeaponSpreadMm >= 0 && MuzzleBeyondPalmMm >= 0 && GripToMuzzleMm >= 0 && WristSigmaRad > 0 && TwoArmsSigmaRad >= 0 && BoreAboveGripMm >= 0 && WeaponKeptMm >= 0 && WeaponKeptUs >= 0 && PalmSigmaMm > 0 && SeenMuzzleSigmaMm > 0 && MuzzleSigmaMm > 0 && CutSigmaMm > 0, "uncertainties above zero");
             Check(TrackGateMm > 0 && TrackMemoryUs >= 0 && BridgeUs >= 0, "TrackGateMm above zero, times not negative");
             Check(LostShare > 0 && LostShare <= 1, "LostShare above 0, at most 1");
             Check(MaxHands >= 1 && MaxHands <= 64, "MaxHands 1…64");

@@ -20,6 +20,8 @@ namespace LaserTracking.Hands
         private readonly PersonSet _people;
         private readonly HandTrackSet _tracks;
         private readonly ArmFit[] _fits;
+        private readonly UprightFrame _upright;
+        private readonly DepthHandSettings _settings;
 
         /// <param name="camera">Of the depth picture; for a smaller or larger picture of the same view it is scaled.</param>
         /// <param name="settings">Null: the defaults. Read once, here.</param>
@@ -43,6 +45,8 @@ namespace LaserTracking.Hands
         {
             DepthHandSettings used = settings ?? new DepthHandSettings();
             used.Validate();
+            _settings = used;
+            _upright = upright;
             _grid = new DepthGrid(camera, used, kernels ?? KernelRunner.Plain);
             _segmenter = new BodySegmenter(used);
             _fitter = new ArmFitter(used, upright);
@@ -68,8 +72,11 @@ namespace LaserTracking.Hands
                 ref readonly ArmPart arm = ref _segmenter.Arms[i];
                 if (arm.IsShallow && _people.IsHead(arm.MiddleMm))
                     continue;
-                if (_fitter.TryFit(_grid, _segmenter.CellsOf(arm), arm, out ArmFit fit))
-                    _fits[count++] = fit;
+                if (count == _fits.Length || !_fitter.TryFit(_grid, _segmenter.CellsOf(arm), arm, out ArmFit fit))
+                    continue;
+                _fits[count++] = fit;
+                if (fit.HasWeapon && count < _fits.Length && SecondWeapon.TryFind(_grid, _segmenter.CellsOf(arm), fit, _people, _upright, _settings, out ArmFit second))
+                    _fits[count++] = second;
             }
 
             _tracks.Update(_grid, depth.TimeUs, new ReadOnlySpan<ArmFit>(_fits, 0, count), observations);

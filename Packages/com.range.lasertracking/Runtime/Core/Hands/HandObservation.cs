@@ -12,6 +12,12 @@ namespace LaserTracking.Hands
         public int PersonId;
 
         public HandSide Side;
+
+        /// <summary>
+        /// The hand's own picture tells the side (hand model), not only where its arm begins: bodies turn sideways, and of two hands on one
+        /// weapon the supporting arm may be the one in sight.
+        /// </summary>
+        public bool IsSideSure;
         public Vector3D PalmMm;
 
         /// <summary>Where the light leaves the weapon: the foremost point along the arm.</summary>

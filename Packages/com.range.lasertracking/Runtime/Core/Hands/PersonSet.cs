@@ -201,6 +201,26 @@ namespace LaserTracking.Hands
             return best < 0 ? 0 : _people[best].Id;
         }
 
+        /// <summary>Who may hold a weapon's muzzle here: whose eyes are at about an arm's length; camera space. Somebody else than who is given.</summary>
+        public bool TryReach(Vector3D muzzleMm, double leastMm, double mostMm, int exceptId, out int id, out Vector3D eyeMm)
+        {
+            Vector3D muzzle = _upright.ToUpright(muzzleMm);
+            double best = double.MaxValue;
+            id = 0;
+            eyeMm = default;
+            for (int i = 0; i < _count; i++)
+            {
+                double reach = (_people[i].EyeMm - muzzle).Length, off = Math.Abs(reach - (leastMm + mostMm) / 2);
+                if (_people[i].Id == 0 || _people[i].Id == exceptId || _people[i].IsHeadHidden || reach < leastMm || reach > mostMm || off >= best)
+                    continue;
+                best = off;
+                id = _people[i].Id;
+                eyeMm = _upright.ToCamera(_people[i].EyeMm);
+            }
+
+            return id != 0;
+        }
+
         /// <summary>Whether a surface with this middle is somebody's head.</summary>
         public bool IsHead(Vector3D middleMm)
         {

@@ -63,10 +63,11 @@ namespace LaserTracking.Health
         /// <summary>Reads this frame's share of the next look and works on as much of the last; false when the picture is too small.</summary>
         public bool Look(Image image, int frame, int frames)
         {
-            if (!_cells.Fit(image))
+            bool isOther = _cells.Fit(image);
+            if (!_cells.IsLargeEnough)
                 return false;
             _now.Fit(image);
-            if (_next.Fit(image))
+            if (_next.Fit(image) || isOther)
             {
                 _verdicts = new sbyte[_cells.Count];
                 _looks = 0;

@@ -50,15 +50,16 @@ namespace LaserTracking.Health
 
         private CellKind[] _moved = Array.Empty<CellKind>();
 
-        /// <summary>Takes the size of a picture; false when that is too small.</summary>
+        /// <summary>The picture has enough cells to compare.</summary>
+        public bool IsLargeEnough => Columns >= 6 && Rows >= 4;
+
+        /// <summary>Takes the size of a picture; true when it is another one than before.</summary>
         public bool Fit(Imaging.Image image)
         {
-            if (!Then.Fit(image) && Count > 0)
-                return true;
+            if (!Then.Fit(image))
+                return false;
             Columns = Then.Width / CellMatch.Size;
             Rows = Then.Height / CellMatch.Size;
-            if (Columns < 6 || Rows < 4)
-                return false;
             _variance = new double[Count];
             _xx = new double[Count];
             _xy = new double[Count];

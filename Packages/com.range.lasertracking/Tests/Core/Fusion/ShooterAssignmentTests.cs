@@ -43,6 +43,18 @@ namespace LaserTracking.Fusion
         }
 
         [Test]
+        public void Fuse_SideByTheArmAlone_IsNotTheHandThatFires()
+        {
+            var dot = new Vector2D(1.2, 0.8);
+            HandObservation hand = Hand(4, new Vector3D(1.5, 1.0, -2.5), dot, HandSide.Right);
+            hand.IsSideSure = false;
+            See(0, hand);
+            FusedShot fused = _assignment.Fuse(Shot(10_000, LaserColor.Green), dot);
+            Assert.That(fused.Shooter, Is.EqualTo(1));
+            Assert.That(fused.Hand, Is.EqualTo(HandSide.Unknown));
+        }
+
+        [Test]
         public void Fuse_HandAimedElsewhere_IsUnknown()
         {
             See(0, Hand(4, new Vector3D(1.5, 1.0, -2.5), new Vector2D(3.6, 0.2), HandSide.Right));
@@ -195,6 +207,31 @@ namespace LaserTracking.Fusion
         }
 
         [Test]
+        public void Fuse_FirstShotThatCouldNotBeTold_TeachesOnceTheOthersLineIsKnown()
+        {
+            // Both aim 100 mm beside the eyes as seen, and first at nearly one place. Then the first one fires alone until their line is
+            // known: after that the very first shot must have been the other's, whose line it shows.
+            Vector3D one = new Vector3D(1.2, 0.9, -2.9), two = new Vector3D(2.2, 0.9, -2.9), off = new Vector3D(0.1, 0, 0);
+            PersonObservation[] people = { Person(1, one + off), Person(2, two + off) };
+            var near = new Vector2D(1.7, 1.0);
+            Vector2D nearly = near + new Vector2D(0.12, 0);
+            SeePeople(0, people, Aimed(1, one, nearly), Aimed(2, two, near));
+            Assert.That(_assignment.Fuse(Shot(0, LaserColor.Green), near).Shooter, Is.Zero, "either could have fired");
+            double before = SightError(two, people, 1_000_000);
+            for (int i = 0; i < 8; i++)
+            {
+                long time = 2_000_000 + i * 1_000_000L;
+                var dot = new Vector2D(0.4 + 0.3 * (i % 4), 0.4 + 0.3 * (i % 3));
+                SeePeople(time, people, Aimed(1, one, dot), Aimed(2, two, new Vector2D(3.2, 1.8)));
+                Assert.That(_assignment.Fuse(Shot(time, LaserColor.Green), dot).HandTrackId, Is.EqualTo(1));
+                for (int frame = 1; frame < 10; frame++)
+                    SeePeople(time + frame * 33_000L, people, Aimed(1, one, dot), Aimed(2, two, new Vector2D(3.2, 1.8)));
+            }
+
+            Assert.That(SightError(two, people, 12_000_000), Is.LessThan(0.3 * before));
+        }
+
+        [Test]
         public void Fuse_FiftyShotsAtOnce_StaysBoundedAndGivesOneEach()
         {
             var dot = new Vector2D(1.2, 0.8);
@@ -228,6 +265,22 @@ namespace LaserTracking.Fusion
             Assert.That(allocated, Is.Zero);
         }
 
+        /// <summary>How far from their line of sight a shot of the second person passes.</summary>
+        private double SightError(Vector3D pivot, PersonObservation[] people, long timeUs)
+        {
+            var dot = new Vector2D(2.9, 0.6);
+            SeePeople(timeUs, people, Aimed(2, pivot, dot));
+            return _assignment.Fuse(Shot(timeUs, LaserColor.Unknown), dot).SightErrorRad;
+        }
+
+        private static HandObservation Aimed(int person, Vector3D pivot, Vector2D dot)
+        {
+            HandObservation hand = Hand(person, pivot + (new Vector3D(dot.X, dot.Y, 0) - pivot).Normalized * 0.75, dot, HandSide.Unknown);
+            hand.PersonId = person;
+            hand.MuzzleSigmaMm = 5;
+            return hand;
+        }
+
         private static Shot Shot(long timeUs, LaserColor color) => new Shot { TimeUs = timeUs, Dot = new Dot { Color = color } };
 
         private static HandObservation Hand(int track, Vector3D muzzleM, Vector2D aimedAtM, HandSide side)
@@ -236,7 +289,7 @@ namespace LaserTracking.Fusion
             Vector3D axis = (Camera.ToCameraMm(new Vector3D(aimedAtM.X, aimedAtM.Y, 0)) - muzzle).Normalized;
             return new HandObservation
             {
-                TrackId = track, Side = side, MuzzleMm = muzzle, PalmMm = muzzle - axis * 130, AimDirection = axis,
+                TrackId = track, Side = side, IsSideSure = true, MuzzleMm = muzzle, PalmMm = muzzle - axis * 130, AimDirection = axis,
                 SigmaMm = 12, MuzzleSigmaMm = 20, AimSigmaRad = 0.08,
             };
         }

@@ -26,11 +26,30 @@ namespace LaserTracking.Fusion
                 Vector3D aim = Aim(i);
                 double angle = 2 * Math.PI * random.NextDouble(), size = errors * expected * Math.Sqrt(-2 * Math.Log(1 - random.NextDouble()));
                 Vector3D across = Vector3D.Cross(aim, new Vector3D(0, 1, 0)).Normalized, down = Vector3D.Cross(aim, across);
-                lines.Learn(1, Eyes + aim * reach, MuzzleSigmaM, aim + (across * Math.Cos(angle) + down * Math.Sin(angle)) * size, 1);
+                Vector3D direction = aim + (across * Math.Cos(angle) + down * Math.Sin(angle)) * size;
+                lines.Settle(1, lines.Weigh(1, Eyes + aim * reach, MuzzleSigmaM, direction, 1), 1);
             }
 
             Assert.That(lines.TrySight(1, Eyes + Aim(7) * reach, MuzzleSigmaM, out _, out double sigma), Is.True);
             Assert.That(sigma / expected, Is.InRange(least, most));
+        }
+
+        [Test]
+        public void Add_TakenBack_LeavesTheLineAsItWas()
+        {
+            var lines = new SightLines(new FusionSettings());
+            lines.See(new PersonObservation { PersonId = 1, EyeMm = Eyes * 1000, SigmaMm = 60 }, new HandCamera(new PinholeCamera(504, 504, 320, 288, 640, 576), Pose.Identity), 0);
+            Vector3D muzzle = Eyes + Aim(3) * 0.75 + new Vector3D(0.03, 0, 0);
+            lines.TrySight(1, muzzle, MuzzleSigmaM, out Vector3D before, out double sigmaBefore);
+            SightEvidence evidence = lines.Weigh(1, muzzle, MuzzleSigmaM, Aim(3), 1);
+            lines.Add(1, evidence, 1);
+            lines.TrySight(1, muzzle, MuzzleSigmaM, out Vector3D with, out double sigmaWith);
+            Assert.That(sigmaWith, Is.LessThan(0.5 * sigmaBefore));
+            Assert.That((with - before).Length, Is.GreaterThan(0.01));
+            lines.Add(1, evidence, -1);
+            lines.TrySight(1, muzzle, MuzzleSigmaM, out Vector3D after, out double sigmaAfter);
+            Assert.That((after - before).Length, Is.LessThan(1e-9));
+            Assert.That(sigmaAfter, Is.EqualTo(sigmaBefore).Within(1e-9));
         }
 
         private static Vector3D Aim(int i) => (new Vector3D(0.4 + 0.3 * (i % 11), 0.3 + 0.25 * (i % 7), 0) - Eyes).Normalized;

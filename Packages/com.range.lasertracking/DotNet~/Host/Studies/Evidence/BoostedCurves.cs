@@ -11,6 +11,12 @@ namespace LaserTracking.Host.Studies.Evidence
         /// <summary>Steps smaller than this are none.</summary>
         private const double LeastStep = 1e-6;
 
+        /// <summary>
+        /// No measure says more for a dot: where one errs (the picture's brightest lags behind an exposure step) the others outvote it.
+        /// Taken off after learning: a curve held while it is learned lets the others shrink beside it.
+        /// </summary>
+        private const double MostLogOdds = 3;
+
         /// <param name="baseLogOdds">Before anything is measured.</param>
         /// <param name="edges">Each feature's, rising.</param>
         /// <param name="values">Each feature's values below, between and above its edges.</param>
@@ -20,7 +26,7 @@ namespace LaserTracking.Host.Studies.Evidence
             Edges = new float[edges.Length][];
             Values = new double[edges.Length][];
             for (int feature = 0; feature < edges.Length; feature++)
-                Join(edges[feature], values[feature], out Edges[feature], out Values[feature]);
+                Join(edges[feature], values[feature].Select(v => Math.Min(v, MostLogOdds)).ToArray(), out Edges[feature], out Values[feature]);
         }
 
         public double Base { get; }

@@ -11,8 +11,6 @@ namespace LaserTracking.Host.Studies.Evidence
     /// </summary>
     internal sealed class CurveBooster
     {
-        private const double LeastChange = 1e-5;
-
         public int Rounds { get; init; } = 400;
 
         /// <summary>Share of Newton's step taken each round.</summary>
@@ -20,9 +18,6 @@ namespace LaserTracking.Host.Studies.Evidence
 
         /// <summary>Penalty on a leaf's square, in units of the hessian.</summary>
         public double Penalty { get; init; } = 20;
-
-        /// <summary>No single feature says more either way: where it errs, the others must be able to outvote it.</summary>
-        public double MostLogOdds { get; init; } = 3;
 
         /// <summary>A side of a split needs so much weighted variance.</summary>
         public double LeastHessian { get; init; } = 10;
@@ -43,7 +38,6 @@ namespace LaserTracking.Host.Studies.Evidence
             byte[][] own = binned.Select(b => used.Select(i => b[i]).ToArray()).ToArray();
             double[][] values = Enumerable.Range(0, bins.FeatureCount).Select(f => new double[bins.EdgesOf(f).Length + 1]).ToArray();
             var splits = new Split[bins.FeatureCount];
-            var change = new double[256];
             for (int round = 0; round < Rounds; round++)
             {
                 for (int i = 0; i < used.Length; i++)
@@ -54,31 +48,19 @@ namespace LaserTracking.Host.Studies.Evidence
                 }
 
                 Parallel.For(0, splits.Length, f => splits[f] = BestSplit(own[f], gradient, hessian, values[f].Length));
-                int[] order = Enumerable.Range(0, splits.Length).OrderByDescending(f => splits[f].Gain).ToArray();
-                int best = Array.FindIndex(order, f => splits[f].Gain > 0 && TakeStep(splits[f], values[f], change));
-                if (best < 0)
+                int best = 0;
+                for (int f = 1; f < splits.Length; f++)
+                    best = splits[f].Gain > splits[best].Gain ? f : best;
+                if (!(splits[best].Gain > 0))
                     break;
-                best = order[best];
+                Split split = splits[best];
+                for (int bin = 0; bin < values[best].Length; bin++)
+                    values[best][bin] += bin > split.Bin ? split.Above : split.Below;
                 for (int i = 0; i < used.Length; i++)
-                    logOdds[i] += change[own[best][i]];
+                    logOdds[i] += own[best][i] > split.Bin ? split.Above : split.Below;
             }
 
             return new BoostedCurves(baseLogOdds, Enumerable.Range(0, bins.FeatureCount).Select(bins.EdgesOf).ToArray(), values);
-        }
-
-        /// <summary>Moves a curve, no level beyond the most that one feature may say; false where all of it has been said.</summary>
-        private bool TakeStep(in Split split, double[] values, double[] change)
-        {
-            bool isMoved = false;
-            for (int bin = 0; bin < values.Length; bin++)
-            {
-                double moved = Math.Clamp(values[bin] + (bin > split.Bin ? split.Above : split.Below), -MostLogOdds, MostLogOdds);
-                change[bin] = moved - values[bin];
-                values[bin] = moved;
-                isMoved |= Math.Abs(change[bin]) > LeastChange;
-            }
-
-            return isMoved;
         }
 
         private Split BestSplit(byte[] bin, double[] gradient, double[] hessian, int count)

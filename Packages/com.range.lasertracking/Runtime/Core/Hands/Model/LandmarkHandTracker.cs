@@ -229,7 +229,8 @@ namespace LaserTracking.Hands.Model
             double depthVariance = hand.SigmaMm * hand.SigmaMm, weight = depthVariance / (depthVariance + _settings.PalmSigmaMm * _settings.PalmSigmaMm);
             HandObservation refined = hand;
             refined.PalmMm = hand.PalmMm + (palm - hand.PalmMm) * weight;
-            if (Math.Abs(track.SideVotes) >= NeededVotes)
+            refined.IsSideSure = Math.Abs(track.SideVotes) >= NeededVotes;
+            if (refined.IsSideSure)
                 refined.Side = track.SideVotes > 0 ? HandSide.Right : HandSide.Left;
             return refined;
         }
