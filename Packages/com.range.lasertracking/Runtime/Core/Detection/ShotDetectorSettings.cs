@@ -31,13 +31,13 @@ namespace LaserTracking.Detection
         public double FaintRise { get; set; } = 0.12;
 
         /// <summary>Least evidence of a candidate fainter than that, log-odds −20…20.</summary>
-        public double FaintLogOdds { get; set; } = 2.1;
+        public double FaintLogOdds { get; set; } = 1.5;
 
         /// <summary>Share of the picture's tiles that have risen, 0…1, from which such a candidate must be conclusive: many at once are no laser.</summary>
         public double CrowdedShare { get; set; } = 1 / 60.0;
 
         /// <summary>Least evidence of a candidate, log-odds −20…20: below, one reason is named. See DotEvidence.</summary>
-        public double MinLogOdds { get; set; } = 0.8;
+        public double MinLogOdds { get; set; } = 0.6;
 
         /// <summary>By what candidates are weighed; what the detector was built with unless told otherwise. Never null.</summary>
         public DotEvidence Evidence { get; set; } = DotEvidence.Learned;

@@ -123,32 +123,6 @@ namespace LaserTracking.Detection
             return peak;
         }
 
-        /// <summary>Share of every second pixel of every second row within the radius, the dot and its halo left out, that changed.</summary>
-        public static double MotionShare(in FrameView view, in Candidate candidate, int radius, double noise)
-        {
-            int size = Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top) + 1;
-            int inner = Math.Max(4, size / 2);
-            int threshold = Math.Max(candidate.PeakRise / 6, (int)(4 * noise) + 2);
-            int x0 = Math.Max(0, candidate.Left - radius), x1 = Math.Min(view.Width - 1, candidate.Right + radius);
-            int y0 = Math.Max(0, candidate.Top - radius), y1 = Math.Min(view.Height - 1, candidate.Bottom + radius);
-            int changed = 0, count = 0;
-            for (int y = y0; y <= y1; y += 2)
-            {
-                bool isRowInside = y >= candidate.Top - inner && y <= candidate.Bottom + inner;
-                for (int x = x0; x <= x1; x += 2)
-                {
-                    if (isRowInside && x >= candidate.Left - inner && x <= candidate.Right + inner)
-                        continue;
-                    count++;
-                    int change = view.Change(y * view.Width + x, candidate.Plane);
-                    if (change > threshold || change < -threshold)
-                        changed++;
-                }
-            }
-
-            return count == 0 ? 0 : (double)changed / count;
-        }
-
         /// <summary>
         /// Each channel's rise since the last frame through its own headroom there, summed over the box and 60 % more: the rim tells
         /// the colour where the core is white, and a saturated background lowers no channel's say.
