@@ -108,19 +108,43 @@ namespace LaserTracking.Calibration
         {
             BoardView[] views = new SimulatedBoards(6).Pairs(10, 0.2).Select(p => p.Left).ToArray();
             BoardView view = views[4];
-            var mirrored = (Vector2D[])view.ImagePx.Clone();
-            for (int row = 0; row < 6; row++)
-                Array.Reverse(mirrored, row * 8, 8);
-            views[4] = StereoReference.View(view.Name, view.BoardMm, mirrored);
+            views[4] = Mirrored(view);
             Assert.That(Mono(views).LeftOut.Single().Name, Is.EqualTo(view.Name));
         }
 
         [Test]
-        public void TryCalibrate_LeftAndRightSwapped_SaysSo()
+        public void TryCalibrate_LeftAndRightSwapped_IsRefused()
         {
             List<BoardPair> pairs = new SimulatedBoards(7).Pairs(10, 0.2).Select(p => new BoardPair(p.Right, p.Left)).ToList();
-            StereoCalibration found = Stereo(pairs, Mono(pairs.Select(p => p.Left)), Mono(pairs.Select(p => p.Right)));
-            Assert.That(found.Notes, Has.Some.Contains("left and right are swapped").And.Some.Contains("negative"));
+            Assert.That(WhyNotStereo(pairs, pairs), Does.Contain("left and right are swapped").And.Contain("negative"));
+        }
+
+        [Test]
+        public void TryCalibrate_EveryPairOfTwoMoments_IsRefused()
+        {
+            List<BoardPair> pairs = new SimulatedBoards(8).Pairs(12, 0.2);
+            List<BoardPair> shifted = pairs.Select((pair, i) => new BoardPair(pair.Left, pairs[(i + 1) % pairs.Count].Right)).ToList();
+            Assert.That(WhyNotStereo(shifted, pairs), Does.Contain("the pairs do not agree").And.Contain("not of one moment"));
+        }
+
+        [Test]
+        public void TryCalibrate_BothCamerasCornersInMirroredOrder_GivesTheSameGeometry_AndSaysSo()
+        {
+            List<BoardPair> pairs = new SimulatedBoards(8).Pairs(8, 0.2), mirrored = pairs.Select(pair => new BoardPair(Mirrored(pair.Left), Mirrored(pair.Right))).ToList();
+            CameraCalibration left = Mono(mirrored.Select(p => p.Left)), right = Mono(mirrored.Select(p => p.Right));
+            StereoCalibration expected = Stereo(pairs, Mono(pairs.Select(p => p.Left)), Mono(pairs.Select(p => p.Right)));
+            Assert.That(left.IsMirrored && right.IsMirrored);
+            Assert.That(left.Notes, Has.Some.Contains("the boards appear mirrored"));
+            Assert.That((Stereo(mirrored, left, right).Rig.LeftToRight.Position - expected.Rig.LeftToRight.Position).Length, Is.LessThan(1e-3));
+        }
+
+        private static BoardView Mirrored(BoardView view) => StereoReference.View(view.Name, view.BoardMm, view.ImagePx.Chunk(8).SelectMany(row => row.Reverse()).ToArray());
+
+        private static string WhyNotStereo(List<BoardPair> pairs, List<BoardPair> alone)
+        {
+            CameraCalibration left = Mono(alone.Select(p => p.Left)), right = Mono(alone.Select(p => p.Right));
+            Assert.That(StereoCalibrator.TryCalibrate(pairs, left.Camera, right.Camera, null, false, out _, out string reason), Is.False);
+            return reason;
         }
 
         [Test]

@@ -168,6 +168,30 @@ namespace LaserTracking.Commands
             Assert.That(File.Exists(result), Is.False);
         }
 
+        [TestCase("swapped", "left and right are swapped")]
+        [TestCase("left mirrored", "appear mirrored to the left camera only")]
+        [TestCase("other moments", "the pairs do not agree")]
+        public void Stereo_WrongGeometry_IsRefusedInOneLine(string what, string words)
+        {
+            using var folder = new TemporaryFolder();
+            JObject whole = JObject.Parse(File.ReadAllText(Simulate(folder)));
+            string corners = folder.File("changed.json"), result = folder.File("stereo.json");
+            JToken[] pairs = whole["pairs"]!.ToArray(), rights = pairs.Select(pair => pair["right_px"]!.DeepClone()).ToArray();
+            for (int i = 0; i < pairs.Length; i++)
+            {
+                JToken left = pairs[i]["left_px"]!.DeepClone();
+                pairs[i]["left_px"] = what == "swapped" ? rights[i] : what == "left mirrored" ? Mirrored(left) : left;
+                pairs[i]["right_px"] = what == "swapped" ? left : what == "other moments" ? rights[(i + 1) % pairs.Length].DeepClone() : rights[i];
+            }
+
+            File.WriteAllText(corners, whole.ToString());
+            CommandLine.AssertRefused(words, "calibrate", "stereo", "--corners", corners, "--out", result);
+            Assert.That(File.Exists(result), Is.False);
+        }
+
+        /// <summary>The corners of an 8×6 board with every row from its other end.</summary>
+        private static JArray Mirrored(JToken px) => new(px.Chunk(8).SelectMany(row => row.Reverse()));
+
         [Test]
         public void Board_ResultInPlaceOfAPicture_IsRefused()
         {

@@ -91,6 +91,29 @@ namespace LaserTracking.Commands
         }
 
         [Test]
+        public void Screen_MirroredOrder_IsRefusedUnlessTheCameraStandsBehindTheScreen()
+        {
+            using var folder = new TemporaryFolder();
+            string file = folder.File("screen.json");
+            string[] usual = ["calibrate", "screen", "--size", "3x2", "--out", file, "--corners", .. Corners], mirrored = [.. usual[..^4], Corners[1], Corners[0], Corners[3], Corners[2]];
+            CommandLine.AssertRefused("the picture is mirrored", mirrored);
+            CommandLine.AssertRefused("is not mirrored", [.. usual, "--mirrored"]);
+            Assert.That(File.Exists(file), Is.False);
+            Assert.That(CommandLine.Run([.. mirrored, "--mirrored"]).ExitCode, Is.EqualTo(ExitCodes.Done));
+        }
+
+        [Test]
+        public void Screen_PointsInMillimetres_OrOfAnotherScreen_AreRefused()
+        {
+            using var folder = new TemporaryFolder();
+            string points = folder.File("points.json"), file = folder.File("screen.json");
+            File.WriteAllText(points, "{" + FourPoints.Replace("[3,0],[3,2],[0,2]", "[3000,0],[3000,2000],[0,2000]") + "}");
+            CommandLine.AssertRefused("point 2 lies at 3000,0, far outside the screen of 3x2 m", "calibrate", "screen", "--size", "3x2", "--points", points, "--out", file);
+            CommandLine.Run(["calibrate", "screen", "--size", "3x2", "--out", file, "--corners", .. Corners]);
+            CommandLine.AssertRefused("far outside the screen", "calibrate", "verify", file, "--points", points);
+        }
+
+        [Test]
         public void Verify_PointOutsideTheImage_IsSaid_AndNoPointsAreRefused()
         {
             using var folder = new TemporaryFolder();

@@ -91,6 +91,7 @@ namespace LaserTracking.Commands
             string history = folder.File("history");
             CommandLine.AssertRefused("no such folder", "calibrate", "history", history);
             Directory.CreateDirectory(history);
+            Assert.That(Run(folder, "0.1", "--date", "2026-01-01", "--history", history, "--out", folder.Path).ExitCode, Is.EqualTo(ExitCodes.BadInput));
             CommandLine.AssertRefused("holds no calibration", "calibrate", "history", history);
             Calibrate(folder, "0.1", "--date", "2026-01-01", "--history", history);
             File.WriteAllText(Path.Combine(history, "future.json"), "{\"v\":2,\"kind\":\"camera\"}");
@@ -99,6 +100,27 @@ namespace LaserTracking.Commands
             Assert.That(exitCode, Is.EqualTo(ExitCodes.Done));
             Assert.That(error, Does.Contain("future.json").And.Contain("newer release"));
             Assert.That(output, Does.Contain("held_out_mm").And.Contain("best: screen.json, 2.5000 mm"));
+        }
+
+        [TestCase("\"rms_px\":-5", "field rms_px is no error")]
+        [TestCase("\"rms_px\":NaN", "field rms_px is no error")]
+        [TestCase("\"rms_px\":1e400", "field rms_px is no error")]
+        [TestCase("\"rms_px\":\"0.1\"", "field rms_px is no error")]
+        [TestCase("\"held_out\":{\"rms_px\":99999999999999999999999}", "field held_out.rms_px is no error")]
+        [TestCase("\"date\":\"yesterday\"", "field date is no date")]
+        [TestCase("\"date\":\"2026-99-99\"", "field date is no date")]
+        [TestCase("\"v\":7", "newer release (version 7")]
+        [TestCase("\"cut\":", "not JSON at line 1")]
+        public void History_BrokenSession_IsNamed_AndAFolderOfSuchIsRefusedWithTheReason(string field, string words)
+        {
+            using var folder = new TemporaryFolder();
+            File.WriteAllText(folder.File("broken.json"), "{\"kind\":\"camera\"," + field + "}");
+            CommandLine.AssertRefused(words, "calibrate", "history", folder.Path);
+            File.WriteAllText(folder.File("good.json"), "{\"v\":1,\"kind\":\"camera\",\"date\":\"2026-01-01\",\"rms_px\":0.2}");
+            (int exitCode, string output, string error) = CommandLine.Run("calibrate", "history", folder.Path);
+            Assert.That(exitCode, Is.EqualTo(ExitCodes.Done));
+            Assert.That(error, Does.Match("^range: [^\n]*broken.json: [^\n]+\n$").And.Contain(words));
+            Assert.That(output, Does.Contain("best: good.json, 0.2000 px").And.Not.Contain("broken"));
         }
 
         private static string Calibrate(TemporaryFolder folder, string noise, params string[] options)
@@ -112,7 +134,7 @@ namespace LaserTracking.Commands
         {
             string corners = folder.File("corners.json");
             CommandLine.Run("calibrate", "simulate", "--views", "20", "--noise", noise, "--out", corners);
-            return CommandLine.Run(["calibrate", "board", "--corners", corners, "--out", folder.File("camera.json"), .. options]);
+            return CommandLine.Run(["calibrate", "board", "--corners", corners, .. options.Contains("--out") ? Array.Empty<string>() : ["--out", folder.File("camera.json")], .. options]);
         }
     }
 }

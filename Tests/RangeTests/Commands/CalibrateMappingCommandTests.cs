@@ -1,4 +1,5 @@
 using System.IO;
+using System.Linq;
 using LaserTracking.Geometry;
 using LaserTracking.Host;
 using LaserTracking.Host.Sources;
@@ -48,6 +49,29 @@ namespace LaserTracking.Commands
             }
 
             CommandLine.AssertRefused("only the detector dual", "replay", folder.File("recording.mkv"), "--mapping", file);
+        }
+
+        [TestCase("mirrored", "infrared picture is mirrored")]
+        [TestCase("outside", "field infrared.px, point 3 lies at -7,90, outside the image of 512x512")]
+        [TestCase("id", "field infrared.ids, element 2, is no whole number")]
+        [TestCase("order", "the points cross")]
+        public void Mapping_ImpossiblePoints_AreRefused(string what, string words)
+        {
+            using var folder = new TemporaryFolder();
+            Write(folder, out _);
+            JObject corners = JObject.Parse(File.ReadAllText(folder.File("corners.json"))), infrared = (JObject)corners["infrared"]!;
+            var px = (JArray)infrared["px"]!;
+            if (what == "mirrored")
+                infrared["px"] = new JArray(px.Select(point => new JArray(511 - (double)point[0]!, (double)point[1]!)));
+            else if (what == "order")
+                infrared["px"] = new JArray(px.Skip(11).Concat(px.Take(11).Reverse()));
+            else if (what == "outside")
+                px[2] = new JArray(-7, 90);
+            else
+                infrared["ids"] = new JArray(Enumerable.Range(0, 30).Select(i => i == 1 ? 99999999999999L : i));
+            File.WriteAllText(folder.File("corners.json"), corners.ToString());
+            CommandLine.AssertRefused(words, "calibrate", "mapping", "--corners", folder.File("corners.json"), "--out", folder.File("other.json"));
+            Assert.That(File.Exists(folder.File("other.json")), Is.False);
         }
 
         /// <summary>A file of 'calibrate mapping' for two made-up cameras.</summary>

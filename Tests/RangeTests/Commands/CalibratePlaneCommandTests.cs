@@ -100,6 +100,19 @@ namespace LaserTracking.Commands
             Assert.That(error, Does.Contain("its corners miss by 16.1 px").And.Contain("disagree by"));
         }
 
+        [TestCase("1280", ExitCodes.CheckFailed, "its corners miss by")]
+        [TestCase("640", ExitCodes.BadInput, "calibrated for pictures of 640x720, the screen for 1280x720")]
+        public void Plane_ScreenThatIsNoRectangleToThatCamera_FailsAlsoWithoutALimit(string width, int expected, string words)
+        {
+            using var folder = new TemporaryFolder();
+            string file = folder.File("screen.json"), camera = folder.File("camera.json");
+            Run(0, "calibrate", "screen", "--corners", "150,82", "1138,104", "1110,640", "182,622", "--size", "2.0x1.2", "--out", file);
+            File.WriteAllText(camera, $"{{\"v\":1,\"kind\":\"camera\",\"image_size\":[{width},720],\"K\":[[900,0,640],[0,900,360],[0,0,1]],\"dist\":[0,0,0,0,0]}}");
+            (int code, _, string error) = CommandLine.Run("calibrate", "plane", file, "--camera", camera);
+            Assert.That(code, Is.EqualTo(expected), error);
+            Assert.That(error, Does.Match("^range: [^\n]+\n$").And.Contain(words));
+        }
+
         [Test]
         public void Plane_WithoutACamera_IsRefused()
         {

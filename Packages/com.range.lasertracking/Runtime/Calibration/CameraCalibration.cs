@@ -7,7 +7,7 @@ namespace LaserTracking.Calibration
     public sealed class CameraCalibration
     {
         internal CameraCalibration(LensCamera camera, LensModel model, double rmsPx, IReadOnlyList<BoardView> views, double[] perViewRmsPx, Pose[] boardPoses,
-            double[] standardDeviations, IReadOnlyList<LeftOutView> leftOut, IReadOnlyList<string> notes)
+            double[] standardDeviations, IReadOnlyList<LeftOutView> leftOut, IReadOnlyList<string> notes, bool isMirrored)
         {
             Camera = camera;
             Model = model;
@@ -18,6 +18,7 @@ namespace LaserTracking.Calibration
             StandardDeviations = standardDeviations;
             LeftOut = leftOut;
             Notes = notes;
+            IsMirrored = isMirrored;
         }
 
         public LensCamera Camera { get; }
@@ -44,6 +45,9 @@ namespace LaserTracking.Calibration
 
         /// <summary>What the user should know, one line each.</summary>
         public IReadOnlyList<string> Notes { get; }
+
+        /// <summary>All boards appear mirrored: a mirrored picture, or points that run the wrong way round. The camera's own numbers hold either way.</summary>
+        public bool IsMirrored { get; }
 
         /// <summary>Measured minus projected, px, for each point of a view used.</summary>
         public IEnumerable<Vector2D> ResidualsPx(int view)

@@ -33,7 +33,7 @@ namespace LaserTracking.Calibration
             calibration = null;
             var leftOut = new List<LeftOutView>();
             var notes = new List<string>();
-            List<BoardView> used = WithoutMirrored(views, leftOut, notes);
+            List<BoardView> used = WithoutMirrored(views, leftOut, notes, out bool isMirrored);
             if (!HasEnoughPoints(used, model, out reason))
                 return false;
             int[] free = CameraParameters.Free(model);
@@ -59,7 +59,7 @@ namespace LaserTracking.Calibration
             if (undetermined.Count > 0)
             {
                 string why = isParallel ? FormattableString.Invariant($"the views are all parallel, as far as one can tell (within {fit.LeastAngleDegrees:F1}°)")
-                    : FormattableString.Invariant($"{used.Count} views with tilts that differ by {fit.LargestAngleDegrees():F0}° at most are not enough");
+                    : FormattableString.Invariant($"{used.Count} views with tilts that differ by {fit.LargestAngleDegrees():F0}° at most and an error of {fit.RmsPx:F2} px are not enough");
                 reason = $"{why}: not determined: {string.Join(", ", undetermined)}; take views tilted by 20° to 40°, some about each axis";
                 return false;
             }
@@ -77,17 +77,17 @@ namespace LaserTracking.Calibration
 
             if (held.Count > 0)
                 notes.Add($"the views do not determine {string.Join(", ", held)}: held at 0; for these, take views that reach to the edges of the picture");
-            calibration = new CameraCalibration(fit.Camera, model, fit.RmsPx, used, fit.PerViewRmsPx, fit.State.Boards, fit.StandardDeviations(fit.AxisSigmaPx), leftOut, notes);
+            calibration = new CameraCalibration(fit.Camera, model, fit.RmsPx, used, fit.PerViewRmsPx, fit.State.Boards, fit.StandardDeviations(fit.AxisSigmaPx), leftOut, notes, isMirrored);
             return true;
         }
 
         /// <summary>A board that all views show mirrored is a mirrored picture; one view alone has its corners in the wrong order.</summary>
-        private static List<BoardView> WithoutMirrored(IReadOnlyList<BoardView> views, List<LeftOutView> leftOut, List<string> notes)
+        private static List<BoardView> WithoutMirrored(IReadOnlyList<BoardView> views, List<LeftOutView> leftOut, List<string> notes, out bool isPictureMirrored)
         {
             ILookup<bool, BoardView> byOrder = views.ToLookup(IsMirrored);
-            bool isPictureMirrored = byOrder[true].Count() > byOrder[false].Count();
+            isPictureMirrored = byOrder[true].Count() > byOrder[false].Count();
             if (isPictureMirrored)
-                notes.Add("the boards appear mirrored: is the picture mirrored, or do the points run the wrong way round?");
+                notes.Add("the boards appear mirrored: if the points run the wrong way round, the camera's numbers are right all the same; if the picture is mirrored, they hold only while it stays so");
             foreach (BoardView view in byOrder[!isPictureMirrored])
                 leftOut.Add(new LeftOutView(view.Name, "its points run the other way round than in the other views"));
             return byOrder[isPictureMirrored].ToList();

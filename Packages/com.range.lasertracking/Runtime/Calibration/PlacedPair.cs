@@ -11,11 +11,13 @@ namespace LaserTracking.Calibration
     /// </summary>
     internal sealed class PlacedPair
     {
-        private PlacedPair(BoardPair pair, Pose leftPose, Pose rightPose)
+        private PlacedPair(BoardPair pair, PlanarPose left, PlanarPose right)
         {
             Pair = pair;
-            LeftPose = leftPose;
-            RightPose = rightPose;
+            LeftPose = left.Pose;
+            RightPose = right.Pose;
+            LeftRmsPx = left.RmsPx;
+            RightRmsPx = right.RmsPx;
         }
 
         public BoardPair Pair { get; private set; }
@@ -23,6 +25,12 @@ namespace LaserTracking.Calibration
         public Pose LeftPose { get; }
 
         public Pose RightPose { get; private set; }
+
+        /// <summary>How well the left view fits its camera alone, px.</summary>
+        public double LeftRmsPx { get; }
+
+        /// <summary>The same of the right view.</summary>
+        public double RightRmsPx { get; }
 
         /// <summary>Camera 0's space to camera 1's, by this pair alone.</summary>
         public Pose Between => Relative(RightPose);
@@ -32,7 +40,7 @@ namespace LaserTracking.Calibration
             placed = null;
             if (!PlanarPoseEstimator.TryEstimate(pair.Left, left, out PlanarPose? leftPose, out reason) || !PlanarPoseEstimator.TryEstimate(pair.Right, right, out PlanarPose? rightPose, out reason))
                 return false;
-            placed = new PlacedPair(pair, leftPose!.Pose, rightPose!.Pose);
+            placed = new PlacedPair(pair, leftPose!, rightPose!);
             return true;
         }
 

@@ -15,6 +15,10 @@ namespace LaserTracking.Calibration
         private const double StrangerFactor = 10;
         private const double NegligiblePx = 0.1;
         private const int FewestForStrangers = 5;
+
+        // Together good pairs err little more than each camera alone; pairs of different moments, or one camera mirrored, by 80 times and more.
+        private const double DisagreementFactor = 10;
+
         private const double RoundingShare = 1e-9;
 
         /// <param name="pairs">At least one; ten to twenty are usual.</param>
@@ -72,9 +76,17 @@ namespace LaserTracking.Calibration
                 return false;
             }
 
-            NoteSwapped(rig, fit.State.Boards, notes);
+            double alonePx = Math.Sqrt(placed.Average(pair => 0.5 * (pair.LeftRmsPx * pair.LeftRmsPx + pair.RightRmsPx * pair.RightRmsPx)));
+            if (!keepsAll && fit.RmsPx > DisagreementFactor * Math.Max(alonePx, NegligiblePx))
+            {
+                reason = FormattableString.Invariant($"the pairs do not agree: {fit.RmsPx:F1} px off together, {alonePx:F2} px each camera alone: not of one moment, in another order, or one camera's pictures mirrored");
+                return false;
+            }
+
+            reason = WhySwapped(rig, fit.State.Boards);
+            if (reason.Length > 0)
+                return false;
             calibration = new StereoCalibration(rig, fit.RmsPx, placed.Select(p => p.Pair).ToArray(), fit.PerPairRmsPx, fit.State.Boards, fit.RigDeviations, leftOut, notes);
-            reason = string.Empty;
             return true;
         }
 
@@ -108,17 +120,16 @@ namespace LaserTracking.Calibration
 
         /// <summary>
         /// With the cameras exchanged everything fits as well, but the camera called right stands on the left: as the pictures are
-        /// labelled, disparities and with them depths are negative.
+        /// labelled, disparities and with them depths are negative. Two mirrored cameras look the same. Empty when all is well.
         /// </summary>
-        private static void NoteSwapped(StereoRig rig, Pose[] boards, List<string> notes)
+        private static string WhySwapped(StereoRig rig, Pose[] boards)
         {
             Vector3D t = rig.LeftToRight.Position;
             Vector3D rightInLeft = rig.RightToLeft(default);
             if (rightInLeft.X < 0 && Math.Abs(t.X) > Math.Abs(t.Y) && Math.Abs(t.X) > Math.Abs(t.Z))
-                notes.Add(FormattableString.Invariant($"left and right are swapped: the camera given as right stands {-rightInLeft.X:G4} to the left of the other one, which makes depths by disparity negative"));
+                return FormattableString.Invariant($"left and right are swapped: the camera given as right stands {-rightInLeft.X:G4} to the left of the other one, so depths by disparity are negative: exchange the two, or take the pictures unmirrored");
             int behind = boards.Count(board => !(board.Position.Z > 0));
-            if (behind > 0)
-                notes.Add(FormattableString.Invariant($"{behind} boards have their first corner behind camera 0 (negative depth)"));
+            return behind == 0 ? string.Empty : FormattableString.Invariant($"{behind} boards have their first corner behind camera 0 (negative depth): check the order of the corners");
         }
 
         /// <summary>One bundle adjustment of two cameras.</summary>

@@ -39,7 +39,7 @@ namespace LaserTracking.Host.Calibration
             }
 
             if (history._records.Count == 0)
-                throw new InputException(folder, "holds no calibration", "'./range calibrate board --history DIR --date YYYY-MM-DD' puts one there");
+                throw new InputException(folder, "holds no calibration" + (history.Problems.Count == 0 ? string.Empty : FormattableString.Invariant($" that can be read, of {history.Problems.Count} files; {history.Problems[0]}")), "'./range calibrate board --history DIR --date YYYY-MM-DD' puts one there");
             return history;
         }
 

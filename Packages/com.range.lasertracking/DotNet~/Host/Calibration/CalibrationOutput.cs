@@ -49,16 +49,13 @@ namespace LaserTracking.Host.Calibration
                 Console.Error.WriteLine($"range: {view["view"]}: left out: {view["why"]}");
             foreach (JToken note in calibration["notes"]!)
                 Console.Error.WriteLine("range: " + note);
-            if (parsed.GetValue(_history) is string folder)
-                CalibrationHistory.Keep(folder, calibration, content);
             string output = parsed.GetValue(_output)!;
             string? better = parsed.GetValue(_replace) ? null : CalibrationHistory.WhyKept(output, calibration);
-            if (better == null)
-            {
-                using var file = new ResultFile(output);
-                file.Stream.Write(content);
-                file.Commit();
-            }
+            using ResultFile? file = better == null ? new ResultFile(output) : null;
+            if (parsed.GetValue(_history) is string folder)
+                CalibrationHistory.Keep(folder, calibration, content);
+            file?.Stream.Write(content);
+            file?.Commit();
 
             if (output != "-")
                 Console.WriteLine(Summary(calibration).ToString(Formatting.Indented));

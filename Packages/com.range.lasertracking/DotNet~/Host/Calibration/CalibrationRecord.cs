@@ -7,6 +7,9 @@ namespace LaserTracking.Host.Calibration
     /// <summary>What a history needs of a calibration file of any kind.</summary>
     internal sealed record CalibrationRecord(string File, string Kind, string Date, string ImageSize, double? RmsPx, int? Views, double? HeldOut)
     {
+        /// <summary>Of px or mm: what is larger is no calibration.</summary>
+        private const double MostError = 1e6;
+
         private static readonly string[] Kinds = { "camera", "stereo", "screen" };
 
         /// <summary>Unit of the held-out error: mm on the screen, px else.</summary>
@@ -23,9 +26,9 @@ namespace LaserTracking.Host.Calibration
             if (!Kinds.Contains(kind))
                 throw new InputException(name, $"field kind is \"{kind}\", which is no calibration", "name what './range calibrate' made");
             CalibrationJson.CheckKind(root, name, kind, "'./range calibrate'");
-            double? heldOut = kind == "screen" ? Number(Child(root, "verify", "p95_mm")) : Number(Child(root, "held_out", "rms_px"));
+            double? heldOut = kind == "screen" ? Number(Child(root, "verify", "p95_mm"), name, "verify.p95_mm") : Number(Child(root, "held_out", "rms_px"), name, "held_out.rms_px");
             int? views = root["views"] is JArray list ? list.Count : root["per_view_rms_px"] is JArray errors ? errors.Count : null;
-            return new CalibrationRecord(System.IO.Path.GetFileName(name), kind, Text(root["date"]) ?? string.Empty, Sizes(root), Number(root["rms_px"]), views, heldOut);
+            return new CalibrationRecord(System.IO.Path.GetFileName(name), kind, Day(root["date"], name), Sizes(root), Number(root["rms_px"], name, "rms_px"), views, heldOut);
         }
 
         /// <summary>
@@ -43,7 +46,25 @@ namespace LaserTracking.Host.Calibration
 
         private static JToken? Child(JObject root, string parent, string field) => (root[parent] as JObject)?[field];
 
-        private static double? Number(JToken? token) => token?.Type is JTokenType.Float or JTokenType.Integer ? (double)token : null;
+        /// <summary>An error that is given must be one: a negative one would be the best for ever.</summary>
+        private static double? Number(JToken? token, string name, string field)
+        {
+            if (token == null || token.Type == JTokenType.Null)
+                return null;
+            return token.Type is JTokenType.Float or JTokenType.Integer && (double)token is >= 0 and < MostError and double number
+                ? number
+                : throw new InputException(name, $"field {field} is no error of a calibration", "calibrate again, or correct the field");
+        }
+
+        /// <summary>Empty when there is none.</summary>
+        private static string Day(JToken? token, string name)
+        {
+            if (token == null || token.Type == JTokenType.Null)
+                return string.Empty;
+            return Text(token) is string text && System.DateOnly.TryParseExact(text, "yyyy-MM-dd", out _)
+                ? text
+                : throw new InputException(name, "field date is no date", "write it as 2026-11-22");
+        }
 
         private static string? Text(JToken? token) => token?.Type switch
         {

@@ -43,15 +43,28 @@ namespace LaserTracking.Host.Calibration
                 Console.Error.WriteLine("range: nothing was written");
         }
 
-        /// <summary>Corners outside the picture are possible, a screen that is nowhere in it is a mistake.</summary>
-        public static void CheckPlace(RangeCalibration calibration, string source)
+        /// <summary>
+        /// Corners outside the picture are possible, a screen that is nowhere in it is a mistake. So is one that is mirrored, unless the
+        /// user says that the camera stands behind it: every shot would score on the wrong side.
+        /// </summary>
+        public static void CheckPlace(RangeCalibration calibration, string source, bool isMirrored)
         {
             Vector2D center = calibration.Screen.ToImagePx(calibration.Screen.ScreenSizeM * 0.5);
             if (!(center.X >= 0 && center.Y >= 0 && center.X < calibration.ImageWidth && center.Y < calibration.ImageHeight))
                 throw new InputException(source, FormattableString.Invariant($"the middle of the screen lies at {center.X:F0},{center.Y:F0}, outside the image of {calibration.ImageWidth}x{calibration.ImageHeight}"), "check the points, and give the image's size with --image-size");
             Vector2D[] corners = calibration.Screen.CornersPx;
-            if (Vector2D.Cross(corners[1] - corners[0], corners[3] - corners[0]) < 0)
-                Console.Error.WriteLine("range: the picture is mirrored: right for a camera behind the screen, else the corners run the wrong way round");
+            bool looksMirrored = Vector2D.Cross(corners[1] - corners[0], corners[3] - corners[0]) < 0;
+            if (looksMirrored != isMirrored)
+                throw new InputException(source, looksMirrored ? "the picture is mirrored: the points run the wrong way round" : "the picture is not mirrored, --mirrored says that it is",
+                    looksMirrored ? "give them clockwise from the top left, or add --mirrored when the camera stands behind the screen" : "leave --mirrored out, or turn the points' order round");
+        }
+
+        /// <summary>A point may lie a little beside the screen; by more than half a screen it is no point of this screen in metres.</summary>
+        public static void CheckOnScreen(Vector2D[] placesM, Vector2D sizeM, string field, string source)
+        {
+            int i = Array.FindIndex(placesM, place => !(Math.Abs(place.X - 0.5 * sizeM.X) <= sizeM.X && Math.Abs(place.Y - 0.5 * sizeM.Y) <= sizeM.Y));
+            if (i >= 0)
+                throw new InputException(source, FormattableString.Invariant($"field {field}, point {i + 1} lies at {placesM[i].X:G6},{placesM[i].Y:G6}, far outside the screen of {sizeM.X:G6}x{sizeM.Y:G6} m"), "give metres from the screen's top left corner, and the screen's own --size");
         }
 
         /// <summary>Points that lie beside the picture cannot have been measured there, if its size is sure and not just the usual one: refused then, else said.</summary>

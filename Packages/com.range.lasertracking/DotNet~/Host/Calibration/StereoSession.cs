@@ -34,6 +34,8 @@ namespace LaserTracking.Host.Calibration
         public static StereoSession Run(SeenBoards left, SeenBoards right, LensModel model, bool isFree, bool keepsAll, string source)
         {
             CameraCalibration first = Alone(left, model, keepsAll, source, "left"), second = Alone(right, model, keepsAll, source, "right");
+            if (first.IsMirrored != second.IsMirrored)
+                throw new InputException(source, $"the boards appear mirrored to the {(first.IsMirrored ? "left" : "right")} camera only", "give its corners in the order of the other one's, and its pictures unmirrored");
             BoardPair[] pairs = left.Views.Zip(right.Views).Where(pair => first.Views.Contains(pair.First!) && second.Views.Contains(pair.Second!)).Select(pair => new BoardPair(pair.First!, pair.Second!)).ToArray();
             if (!StereoCalibrator.TryCalibrate(pairs, first.Camera, second.Camera, isFree ? model : null, keepsAll, out StereoCalibration? both, out string reason))
                 throw new InputException(source, reason, "see './range help calibrate stereo'");

@@ -111,8 +111,8 @@ namespace LaserTracking.Geometry
             int positive = 0;
             foreach (Vector2D p in from)
                 positive += m[6] * p.X + m[7] * p.Y + m[8] > 0 ? 1 : 0;
-            reason = positive == 0 || positive == from.Length
-                ? string.Empty
+            reason = positive == 0 || positive == from.Length ? string.Empty
+                : from.Length > 4 ? "the points cross: they do not come in one order on both sides, or some are far off"
                 : "the corners cross: give them in order around the screen (top-left, top-right, bottom-right, bottom-left)";
             return reason.Length == 0;
         }

@@ -4,6 +4,7 @@ using System.CommandLine;
 using System.Linq;
 using System.Text;
 using LaserTracking.Geometry;
+using LaserTracking.Host.Calibration;
 using LaserTracking.Host.Sessions;
 using Newtonsoft.Json.Linq;
 
@@ -37,6 +38,8 @@ namespace LaserTracking.Host.Commands
             (LensCamera color, Dictionary<int, Vector2D> colorPx) = Seen(root["color"], file, "color");
             int[] common = infraredPx.Keys.Where(colorPx.ContainsKey).Order().ToArray();
             InfraredMapping mapping = Fit(common);
+            if (IsMirrored(mapping, infrared, infraredPx[common[0]]))
+                throw new InputException(file, "the infrared picture is mirrored against the colour picture, or its points run the wrong way round", "give the pictures as the cameras see the plane, both from one side");
 
             // Either half of the points proves the other half's fit.
             var heldOut = new List<double>();
@@ -94,13 +97,23 @@ namespace LaserTracking.Host.Commands
             for (int i = 0; i < list.Count; i++)
             {
                 double[] at = CalibrationJson.Numbers(list[i], 2, file, FormattableString.Invariant($"{name}.px, point {i + 1}"));
-                if (ids != null && ids[i].Type != JTokenType.Integer)
-                    throw new InputException(file, FormattableString.Invariant($"field {name}.ids, element {i + 1}, is no whole number"), Remedy);
+                if (ids != null && !(ids[i].Type == JTokenType.Integer && (double)ids[i] is >= 0 and <= int.MaxValue))
+                    throw new InputException(file, FormattableString.Invariant($"field {name}.ids, element {i + 1}, is no whole number from 0 on"), Remedy);
                 if (!px.TryAdd(ids == null ? i : (int)ids[i], new Vector2D(at[0], at[1])))
                     throw new InputException(file, FormattableString.Invariant($"{name} has id {ids![i]} twice"), "every point needs its own");
             }
 
+            if (ScreenPoints.FirstOutside(px.Values.ToArray(), lens.Pinhole.Width, lens.Pinhole.Height) is string outside)
+                throw new InputException(file, $"field {name}.px, {outside}", "correct the point, or image_size");
             return (lens, px);
+        }
+
+        private static bool IsMirrored(InfraredMapping mapping, LensCamera infrared, Vector2D px)
+        {
+            if (!infrared.TryUnproject(px, out Vector2D ray))
+                return false;
+            mapping.RayHomography.Jacobian(ray, out double xx, out double xy, out double yx, out double yy);
+            return xx * yy - xy * yx < 0;
         }
     }
 }

@@ -10,7 +10,7 @@ namespace LaserTracking.Host.Commands
     /// <summary>range calibrate plane: where the screen stands before the camera, by its size and by depth, and how the two agree.</summary>
     internal static class CalibratePlaneCommand
     {
-        /// <summary>Corners that miss by more are said: a few pixels are what pointing at them by hand leaves.</summary>
+        /// <summary>Corners that miss by more fail: a few pixels are what pointing at them by hand leaves.</summary>
         private const double MostCornerRmsPx = 3;
 
         public static Command Create()
@@ -19,7 +19,7 @@ namespace LaserTracking.Host.Commands
             var recording = new Option<string?>("--depth") { HelpName = "RECORDING", Description = "A recording (.mkv) of the same camera in the same place, with depth; or a simulation's scenario (.json) whose camera 1 sees the screen." };
             var camera = new Option<string?>("--camera") { HelpName = "FILE", Description = "The camera with its lens, when the calibration does not hold it; else the recording's factory calibration is used." };
             var limit = new Option<double?>("--limit") { HelpName = "MM", Description = "Exit 1 when size and depth disagree by more than this at a corner of the screen." };
-            var command = new Command("plane", "Where the screen stands before the camera: by its size, by depth, and how the two agree.") { file, recording, camera, limit };
+            var command = new Command("plane", "Where the screen stands before the camera: by its size, by depth, and how the two agree; exit 1 when no flat screen of that size fits.") { file, recording, camera, limit };
             command.SetAction(parsed => Run(parsed.GetValue(file)!, parsed.GetValue(recording), parsed.GetValue(camera), parsed.GetValue(limit)));
             return command;
         }
@@ -44,10 +44,10 @@ namespace LaserTracking.Host.Commands
             JObject bySize = Place(plane.Plane);
             bySize["middle_mm"] = Rounded(2, middle.X, middle.Y, middle.Z);
             bySize["corner_rms_px"] = Math.Round(plane.CornerRmsPx, 4);
-            if (plane.CornerRmsPx > MostCornerRmsPx)
+            bool isFlat = plane.CornerRmsPx <= MostCornerRmsPx, isWithin = true;
+            if (!isFlat)
                 Console.Error.WriteLine(FormattableString.Invariant($"range: {file}: no flat screen of {plane.ScreenSizeM.X}x{plane.ScreenSizeM.Y} m looks like this to that camera, its corners miss by {plane.CornerRmsPx:F1} px: check the size, the corners and the camera's focal length"));
             var result = new JObject { ["from_size"] = bySize };
-            bool isWithin = true;
             if (view != null)
             {
                 PlaneFit depth = view.Measure(calibration.Screen);
@@ -71,7 +71,7 @@ namespace LaserTracking.Host.Commands
             }
 
             Console.WriteLine(result.ToString());
-            return isWithin ? ExitCodes.Done : ExitCodes.CheckFailed;
+            return isFlat && isWithin ? ExitCodes.Done : ExitCodes.CheckFailed;
         }
 
         private static JObject Place(Plane3D plane) => new()

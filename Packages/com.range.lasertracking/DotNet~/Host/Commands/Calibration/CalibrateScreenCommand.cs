@@ -35,7 +35,8 @@ namespace LaserTracking.Host.Commands
             var replace = new Option<bool>("--replace") { Description = "Take the place of the file that is there even when that one is better." };
             var history = new Option<string?>("--history") { HelpName = "DIR", Description = "Keep this calibration there too; see 'calibrate history'." };
             var date = new Option<string?>("--date") { HelpName = "YYYY-MM-DD", Description = "When the pictures were taken; needed with --history." };
-            var command = new Command("screen", "Fits image pixels to screen metres and proves the fit.") { images, points, corners, size, imageSize, camera, output, limit, map, replace, history, date };
+            var mirrored = new Option<bool>("--mirrored") { Description = "The camera stands behind the screen: --points and --corners run the other way round in its picture." };
+            var command = new Command("screen", "Fits image pixels to screen metres and proves the fit.") { images, points, corners, size, imageSize, camera, output, limit, map, replace, history, date, mirrored };
             command.SetAction((parsed, interrupted) =>
             {
                 Vector2D sizeM = SizeM(parsed.GetValue(size)!);
@@ -57,7 +58,7 @@ namespace LaserTracking.Host.Commands
                 using ResultFile? written = new(target!), drawn = picture == null ? null : new ResultFile(picture);
                 JObject? content = inputs.Length > 0
                     ? Automatic(inputs, sizeM, limitMm, lens, drawn, interrupted)
-                    : ByHand(file, given, sizeM, parsed.GetValue(imageSize)!, parsed.GetResult(imageSize) is { Implicit: false }, limitMm, lens, drawn);
+                    : ByHand(file, given, sizeM, parsed.GetValue(imageSize)!, parsed.GetResult(imageSize) is { Implicit: false }, limitMm, lens, drawn, parsed.GetValue(mirrored));
                 if (content == null)
                     return System.Threading.Tasks.Task.FromResult(ExitCodes.CheckFailed);
                 if (day != null)
@@ -114,7 +115,7 @@ namespace LaserTracking.Host.Commands
             return found.IsAccepted ? Merged(new RangeCalibration(found.Screen!, found.View.ImageWidth, found.View.ImageHeight, null, false, found.Residuals()), result) : null;
         }
 
-        private static JObject? ByHand(string? file, string[] corners, Vector2D sizeM, string imageSize, bool isSizeGiven, double limitMm, LensCamera? lens, ResultFile? map)
+        private static JObject? ByHand(string? file, string[] corners, Vector2D sizeM, string imageSize, bool isSizeGiven, double limitMm, LensCamera? lens, ResultFile? map, bool isMirrored)
         {
             if (map != null)
                 throw new InputException("--map", "there is a map of the pattern's points only", "use it with --image");
@@ -124,7 +125,9 @@ namespace LaserTracking.Host.Commands
             if (!ScreenGeometry.TryFit(measured.ImagePx, measured.ScreenM, sizeM, lens, HandSigmaPx, out ScreenGeometry? screen, out string reason))
                 throw new InputException(source, reason, "measure these points again");
             var calibration = new RangeCalibration(screen!, width, height, null);
-            ScreenReport.CheckPlace(calibration, source);
+            ScreenReport.CheckPlace(calibration, source, isMirrored);
+            ScreenReport.CheckOnScreen(measured.ScreenM, sizeM, "screen_m", source);
+            ScreenReport.CheckOnScreen(measured.VerifyScreenM, sizeM, "verify.screen_m", source);
             bool isSure = file != null && (measured.ImageSize != null || lens != null || isSizeGiven);
             ScreenReport.CheckInside(measured.ImagePx, "image_px", calibration, source, isSure);
             ScreenReport.CheckInside(measured.VerifyImagePx, "verify.image_px", calibration, source, isSure);

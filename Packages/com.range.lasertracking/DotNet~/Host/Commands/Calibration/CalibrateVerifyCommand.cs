@@ -53,6 +53,7 @@ namespace LaserTracking.Host.Commands
             ScreenPoints points = ScreenPoints.Read(file);
             if (points.ImagePx.Length == 0)
                 throw new InputException(file, "holds no point, so nothing is checked", "give points as image_px and screen_m");
+            ScreenReport.CheckOnScreen(points.ScreenM, calibration.Screen.ScreenSizeM, "screen_m", file);
             ScreenReport.CheckInside(points.ImagePx, "image_px", calibration, file, isSure: false);
             return points.AsVerify();
         }
