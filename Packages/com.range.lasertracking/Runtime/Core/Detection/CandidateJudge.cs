@@ -14,6 +14,9 @@ namespace LaserTracking.Detection
         /// <summary>Relative rise, of 255, below which a glow that touches the picture's edge has to show its middle.</summary>
         private const int FaintRise = 128;
 
+        /// <summary>Grey things reach one, and a little more by noise.</summary>
+        private const double GreyVividness = 1.25;
+
         private readonly ShotDetectorSettings _settings;
         private readonly BlobMeasurer _blobs;
 
@@ -86,7 +89,10 @@ namespace LaserTracking.Detection
                 return;
             SurroundingsMeasurer.ColorRise(view, ref candidate);
             bool isProvenByLevel = IsContentKnown && excess >= ConclusiveExcess;
-            double conclusive = _settings.ConclusiveLogOdds + (IsContentKnown && candidate.MayBeContent ? _settings.ContentLogOdds : 0);
+
+            // What the projector could show itself needs more, and twice as much where it is grey: a laser so weak would have a colour.
+            double more = _settings.ContentLogOdds * (candidate.Vividness < GreyVividness ? 2 : 1);
+            double conclusive = _settings.ConclusiveLogOdds + (IsContentKnown && candidate.MayBeContent ? more : 0);
             if (isKnown)
             {
                 // Light that grows further says the same once more; what the picture may show itself grows when it comes from behind.
