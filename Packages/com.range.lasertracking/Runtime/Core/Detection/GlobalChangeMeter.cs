@@ -30,8 +30,8 @@ namespace LaserTracking.Detection
 
         private const int UnsteadyFrames = 15;
 
-        private readonly byte[] _now = new byte[Patches * Window * Window];
-        private readonly byte[] _before = new byte[Patches * Window * Window];
+        private byte[] _now = new byte[Patches * Window * Window];
+        private byte[] _before = new byte[Patches * Window * Window];
         private readonly int[] _columns = new int[Patches * Window];
         private readonly int[] _rows = new int[Patches * Window];
         private readonly float[] _columnReference = new float[Patches * Size];
@@ -41,6 +41,9 @@ namespace LaserTracking.Detection
         private readonly double[] _shiftY = new double[Patches];
         private readonly double[] _sorted = new double[Patches];
         private readonly int[] _ratios = new int[256];
+        private readonly double[] _slopes = new double[Size + 2 * Search];
+        private readonly double[] _expected = new double[Size];
+        private readonly ulong[] _reciprocals = new ulong[256];
         private double _noise;
         private int _width, _height, _factor, _frames, _steadyFrames;
 
@@ -58,6 +61,13 @@ namespace LaserTracking.Detection
 
         /// <summary>Brightness through that of the last frame; exactly 1 while it does not change as a whole.</summary>
         public double Gain { get; private set; } = 1;
+
+        public GlobalChangeMeter()
+        {
+            // Rounded up, a product's upper half is the exact quotient of what is far below 2^32.
+            for (int divisor = 1; divisor < 256; divisor++)
+                _reciprocals[divisor] = ((1UL << 32) + (ulong)divisor - 1) / (ulong)divisor;
+        }
 
         public void Reset(int workingWidth, int workingHeight, int factor)
         {
@@ -88,7 +98,7 @@ namespace LaserTracking.Detection
             _noise = noise;
             if (_width < 3 * Window || _height < 3 * Window)
                 return;
-            _now.AsSpan().CopyTo(_before);
+            (_now, _before) = (_before, _now);
             for (int patch = 0; patch < Patches; patch++)
                 Read(image, patch);
             if (_frames > 0)
@@ -146,7 +156,7 @@ namespace LaserTracking.Detection
                 int now = _now[i], before = _before[i];
                 if (before < DarkestForRatio || before > BrightestForRatio || now > BrightestForRatio)
                     continue;
-                _ratios[Math.Min(255, (64 * now + before / 2) / before)]++;
+                _ratios[Math.Min(255, (int)((ulong)(64 * now + before / 2) * _reciprocals[before] >> 32))]++;
                 count++;
             }
 
@@ -178,20 +188,21 @@ namespace LaserTracking.Detection
         {
             int first = patch * Window;
             Array.Clear(_columns, first, Window);
-            for (int y = 0; y < Window; y++)
+            fixed (byte* now = _now)
+            fixed (int* columns = _columns)
             {
-                int row = (patch * Window + y) * Window, sum = 0;
-                bool isInside = y >= Reach && y < Reach + Size;
-                for (int x = 0; x < Window; x++)
+                for (int y = 0; y < Window; y++)
                 {
-                    int value = _now[row + x];
-                    if (isInside)
-                        _columns[first + x] += value;
-                    if (x >= Reach && x < Reach + Size)
-                        sum += value;
+                    byte* row = now + (first + y) * Window;
+                    int sum = 0;
+                    for (int x = Reach; x < Reach + Size; x++)
+                        sum += row[x];
+                    _rows[first + y] = sum;
+                    if (y < Reach || y >= Reach + Size)
+                        continue;
+                    for (int x = 0; x < Window; x++)
+                        columns[first + x] += row[x];
                 }
-
-                _rows[first + y] = sum;
             }
         }
 
@@ -200,11 +211,16 @@ namespace LaserTracking.Detection
         {
             double best = double.PositiveInfinity, before = 0, after = 0, last = 0, sum = 0;
             int bestShift = 0;
+            for (int i = 0; i < _slopes.Length; i++)
+                _slopes[i] = Slope(sums, first + Reach - Search + i);
+            for (int i = 0; i < Size; i++)
+                _expected[i] = reference[offset + i] * Gain;
             for (int shift = -Search; shift <= Search; shift++)
             {
                 double difference = 0;
-                for (int i = 0; i < Size; i++)
-                    difference += Math.Abs(Slope(sums, first + i + Reach + shift) - reference[offset + i] * Gain);
+                ReadOnlySpan<double> slopes = _slopes.AsSpan(Search + shift, Size), expected = _expected.AsSpan(0, Size);
+                for (int i = 0; i < expected.Length && i < slopes.Length; i++)
+                    difference += Math.Abs(slopes[i] - expected[i]);
 
                 sum += difference;
                 if (difference < best)
