@@ -16,7 +16,7 @@ namespace LaserTracking.Patterns
         /// <summary>Standard deviation of a measured coordinate before anything is known, px.</summary>
         private const double ExpectedSigmaPx = 0.1;
 
-        /// <summary>What blur and uneven light displace the points of one part of the picture by together, px, sharp and by the blur: from simulated rooms 1 to 120 of the study.</summary>
+        /// <summary>What blur and uneven light displace the points of one part of the picture by together, px, sharp and by the blur: from simulated rooms 1 to 130 of the study.</summary>
         private const double CommonSigmaPx = 0.01, CommonSigmaOfBlur = 0.0025;
 
         /// <summary>A point further off than this many standard deviations and pixels does not belong to the plane.</summary>
