@@ -22,7 +22,7 @@ namespace LaserTracking.Host.Commands
             var only = new Option<string?>("--only") { HelpName = "TEXT", Description = "Learn only from the cases whose names contain this: those of the studies clips-stress and pasted-dots, and " + CandidateSet.SimulationCase + "." };
             var write = new Option<string?>("--write") { HelpName = "FILE", Description = "Where to write the curves, as the C# file that the detector is built with." };
             var unseen = new Option<bool>("--unseen") { Description = "Plays each recorded clip, as it is and stressed, by curves that were learned without it: what to expect of footage nobody has seen." };
-            var json = new Option<bool>("--json") { Description = "Prints JSON instead of a table." };
+            var json = new Option<bool>("--json") { Description = "Prints JSON instead of a table, one document for each." };
             var command = new Command("train", "Learns how the detector weighs candidates, and prints how well that tells dots from the rest.") { seeds, only, write, unseen, json };
             command.SetAction((parsed, interrupted) =>
                 Task.FromResult(Run(parsed.GetValue(seeds)!, parsed.GetValue(only), parsed.GetValue(write), parsed.GetValue(unseen), parsed.GetValue(json), interrupted)));
@@ -34,6 +34,9 @@ namespace LaserTracking.Host.Commands
             (int first, int last) = StudyCommand.ParseSeeds(seeds);
             if (file != null && Path.GetDirectoryName(Path.GetFullPath(file)) is { } folder && !Directory.Exists(folder))
                 throw new InputException(file, "its folder does not exist", "name a file in a folder that exists");
+
+            // What is missing is said before minutes of learning.
+            ClipSet? unseen = withUnseen ? ClipSet.Open() : null;
             EvidenceTraining training;
             var tables = new List<StudyTable>();
             using (var progress = new ProgressLine())
@@ -41,8 +44,8 @@ namespace LaserTracking.Host.Commands
                 var options = new StudyOptions(first, last, progress, only);
                 training = EvidenceTraining.Run(CandidateSet.Collect(options, interrupted), options, interrupted);
                 tables.Add(EvidenceTable.Of(training));
-                if (withUnseen)
-                    tables.Add(ClipStressStudy.Run(ClipSet.Open(), clip => SettingsWithout(training, clip), options, interrupted));
+                if (unseen != null)
+                    tables.Add(ClipStressStudy.Run(unseen, clip => SettingsWithout(training, clip), options, interrupted));
             }
 
             foreach (StudyTable table in tables)

@@ -9,44 +9,14 @@ using NUnit.Framework;
 
 namespace LaserTracking.Remote
 {
-    public sealed class RemoteFileSenderTests
+    public sealed class RemoteFileSenderTests : RemoteFileFixture
     {
-        private const int PatienceMs = 5000;
-
-        private string _folder = "";
-        private string _path = "";
-
-        [SetUp]
-        public void SetUp()
-        {
-            _folder = Path.Combine(Path.GetTempPath(), "remote-file-" + Guid.NewGuid().ToString("N"));
-            Directory.CreateDirectory(_folder);
-            _path = Path.Combine(_folder, "detector.json");
-        }
-
-        [TearDown]
-        public void TearDown() => Directory.Delete(_folder, true);
-
-        private RemoteFileReceiver Watch() => new RemoteFileReceiver(_path, new RemoteSettings(), new WallClock());
-
-        private static bool Wait(Func<bool> condition)
-        {
-            for (int waited = 0; waited < PatienceMs; waited++)
-            {
-                if (condition())
-                    return true;
-                Thread.Sleep(1);
-            }
-
-            return false;
-        }
-
         [Test]
         public void Sender_BurstsOfShots_ArriveOnceEachInOrder()
         {
             const int Count = 60;
             using (RemoteFileReceiver receiver = Watch())
-            using (var sender = new RemoteFileSender(_path, new WallClock()))
+            using (var sender = new RemoteFileSender(FilePath, new WallClock()))
             {
                 var ids = new List<int>();
                 for (int id = 1; id <= Count; id++)
@@ -76,7 +46,7 @@ namespace LaserTracking.Remote
         public void Sender_PublishedShots_AreNotTakenAgainWhenTheFileChanges()
         {
             using (RemoteFileReceiver receiver = Watch())
-            using (var sender = new RemoteFileSender(_path, new WallClock()))
+            using (var sender = new RemoteFileSender(FilePath, new WallClock()))
             {
                 int shots = 0;
                 for (int i = 0; i < 5; i++)
@@ -99,7 +69,7 @@ namespace LaserTracking.Remote
         [Test]
         public void Sender_FolderGone_GivesShotsUpAndSaysSo()
         {
-            string folder = Path.Combine(_folder, "in");
+            string folder = Path.Combine(Folder, "in");
             Directory.CreateDirectory(folder);
             var sender = new RemoteFileSender(Path.Combine(folder, "detector.json"), new WallClock());
             Directory.Delete(folder, true);
@@ -112,7 +82,7 @@ namespace LaserTracking.Remote
         [Test]
         public void Sender_FolderThatIsNotThere_IsRefusedAtOnce()
         {
-            Assert.Throws<InputException>(() => new RemoteFileSender(Path.Combine(_folder, "no", "a.json"), new WallClock()));
+            Assert.Throws<InputException>(() => new RemoteFileSender(Path.Combine(Folder, "no", "a.json"), new WallClock()));
         }
     }
 }

@@ -5,38 +5,8 @@ using NUnit.Framework;
 
 namespace LaserTracking.Remote
 {
-    public sealed class RemoteFileTests
+    public sealed class RemoteFileTests : RemoteFileFixture
     {
-        private const int PatienceMs = 5000;
-
-        private string _folder = "";
-        private string _path = "";
-
-        [SetUp]
-        public void SetUp()
-        {
-            _folder = Path.Combine(Path.GetTempPath(), "remote-file-" + Guid.NewGuid().ToString("N"));
-            Directory.CreateDirectory(_folder);
-            _path = Path.Combine(_folder, "detector.json");
-        }
-
-        [TearDown]
-        public void TearDown() => Directory.Delete(_folder, true);
-
-        private RemoteFileReceiver Watch() => new RemoteFileReceiver(_path, new RemoteSettings(), new WallClock());
-
-        private static bool Wait(Func<bool> condition)
-        {
-            for (int waited = 0; waited < PatienceMs; waited++)
-            {
-                if (condition())
-                    return true;
-                Thread.Sleep(1);
-            }
-
-            return false;
-        }
-
         [Test]
         public void File_ReplacedAgainAndAgain_GivesTheNewestPose()
         {
@@ -44,12 +14,12 @@ namespace LaserTracking.Remote
             {
                 for (int i = 1; i <= 3; i++)
                 {
-                    RemoteFile.Write(_path, RemoteExamples.Bytes("{\n \"timestamp\": " + i + ",\n \"target\": [1, 2, " + i + "]\n}\n"));
+                    RemoteFile.Write(FilePath, RemoteExamples.Bytes("{\n \"timestamp\": " + i + ",\n \"target\": [1, 2, " + i + "]\n}\n"));
                     int expected = i;
                     Assert.That(Wait(() => receiver.Inbox.TryGetPose(out RemotePose pose) && pose.Target.Z == expected), Is.True);
                 }
 
-                Assert.That(Directory.GetFiles(_folder), Has.Length.EqualTo(1));
+                Assert.That(Directory.GetFiles(Folder), Has.Length.EqualTo(1));
                 Assert.That(receiver.Inbox.TryTakeHealth(out _), Is.False);
             }
         }
@@ -60,10 +30,10 @@ namespace LaserTracking.Remote
             long nowUs = new WallClock().NowUs;
             using (RemoteFileReceiver receiver = Watch())
             {
-                RemoteFile.Write(_path, RemoteExamples.Bytes(RemoteExamples.Shot(1, 1, nowUs) + "\n"));
+                RemoteFile.Write(FilePath, RemoteExamples.Bytes(RemoteExamples.Shot(1, 1, nowUs) + "\n"));
                 Assert.That(Wait(() => receiver.Inbox.TryTakeShot(out RemoteShot shot) && shot.Event.Shot.Id == 1), Is.True);
                 nowUs = new WallClock().NowUs;
-                RemoteFile.Write(_path, RemoteExamples.Bytes(RemoteExamples.Shot(1, 1, nowUs - 200_000) + "\n" + RemoteExamples.Shot(2, 2, nowUs) + "\n" + RemoteExamples.Shot(3, 3, nowUs)));
+                RemoteFile.Write(FilePath, RemoteExamples.Bytes(RemoteExamples.Shot(1, 1, nowUs - 200_000) + "\n" + RemoteExamples.Shot(2, 2, nowUs) + "\n" + RemoteExamples.Shot(3, 3, nowUs)));
                 Assert.That(Wait(() => receiver.Inbox.TryTakeShot(out RemoteShot shot) && shot.Event.Shot.Id == 2), Is.True);
                 Assert.That(Wait(() => receiver.Inbox.TryTakeShot(out RemoteShot shot) && shot.Event.Shot.Id == 3), Is.True);
                 Assert.That(receiver.Inbox.TryTakeShot(out _), Is.False);
@@ -75,10 +45,10 @@ namespace LaserTracking.Remote
         {
             using (RemoteFileReceiver receiver = Watch())
             {
-                RemoteFile.Write(_path, RemoteExamples.Bytes(RemoteExamples.Published + "\n{\"timestamp\":2,\"tar"));
+                RemoteFile.Write(FilePath, RemoteExamples.Bytes(RemoteExamples.Published + "\n{\"timestamp\":2,\"tar"));
                 Assert.That(Wait(() => receiver.Inbox.Dropped(RemoteDrop.NotJson) == 1), Is.True);
                 Assert.That(receiver.Inbox.TryGetPose(out _), Is.False);
-                RemoteFile.Write(_path, RemoteExamples.Bytes(RemoteExamples.Published));
+                RemoteFile.Write(FilePath, RemoteExamples.Bytes(RemoteExamples.Published));
                 Assert.That(Wait(() => receiver.Inbox.TryGetPose(out _)), Is.True, "a good one comes through again");
                 Assert.That(receiver.Inbox.Dropped(RemoteDrop.NotJson), Is.EqualTo(1));
             }
@@ -87,8 +57,8 @@ namespace LaserTracking.Remote
         [Test]
         public void File_OfYesterday_IsStale()
         {
-            File.WriteAllText(_path, RemoteExamples.Published);
-            File.SetLastWriteTimeUtc(_path, DateTime.UtcNow.AddDays(-1));
+            File.WriteAllText(FilePath, RemoteExamples.Published);
+            File.SetLastWriteTimeUtc(FilePath, DateTime.UtcNow.AddDays(-1));
             using (RemoteFileReceiver receiver = Watch())
             {
                 Assert.That(Wait(() => receiver.Inbox.Dropped(RemoteDrop.Stale) == 1), Is.True);
@@ -99,14 +69,14 @@ namespace LaserTracking.Remote
         [Test]
         public void File_NameThatIsNone_IsRefused()
         {
-            foreach (string name in new[] { "", _folder, "a\0b" })
+            foreach (string name in new[] { "", Folder, "a\0b" })
                 Assert.Throws<InputException>(() => new RemoteFileReceiver(name, new RemoteSettings(), new WallClock()));
         }
 
         [Test]
         public void File_InAFolderThatIsNotThere_CannotBeWritten()
         {
-            Assert.Throws<InputException>(() => RemoteFile.Write(Path.Combine(_folder, "no", "a.json"), new byte[1]));
+            Assert.Throws<InputException>(() => RemoteFile.Write(Path.Combine(Folder, "no", "a.json"), new byte[1]));
         }
     }
 }
