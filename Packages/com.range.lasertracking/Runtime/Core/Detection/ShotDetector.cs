@@ -23,6 +23,7 @@ namespace LaserTracking.Detection
         private readonly SeedFinder _finder;
         private readonly DotMeasurer _measurer;
         private readonly DotMemory _memory = new DotMemory();
+        private readonly RestingDots _resting;
         private readonly NoiseMeter _noise = new NoiseMeter();
         private readonly GlobalChangeMeter _change = new GlobalChangeMeter();
         private readonly ContentCeiling _content = new ContentCeiling();
@@ -56,6 +57,7 @@ namespace LaserTracking.Detection
             _waiting = new WaitingCandidate[4 * _settings.MaxCandidates];
             _seeds = new Candidate[_settings.MaxCandidates];
             _seedOrder = new int[_settings.MaxCandidates];
+            _resting = new RestingDots(_blobs, _memory);
             _finder = new SeedFinder(_settings.MaxCandidates, _blobs, _memory);
             Probe = new DetectorProbe(_settings, _planes, _change, _judge, _blobs, _finder, _reciprocal);
             for (int headroom = 0; headroom < 256; headroom++)
@@ -170,6 +172,8 @@ namespace LaserTracking.Detection
                 SearchAboveExpected(image, view, _expected!, detections);
             SearchPlane(image, view, DetectionPlane.Smallest, _planes.SmallestTiles, GateFloor, detections);
             SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, GateFloor, detections);
+            if (!_isPredicted)
+                KeepResting(image, view, detections);
             AddWaiting(image, view, detections);
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
@@ -307,7 +311,7 @@ namespace LaserTracking.Detection
             {
                 int traceIndex = Trace?.FinishWaiting(candidate, view, position, factor) ?? -1;
                 _waiting[_waitingCount++] = new WaitingCandidate(candidate, traceIndex);
-                RememberedDot place = PlaceOf(candidate);
+                RememberedDot place = RememberedDot.PlaceOf(candidate);
                 place.IsProvisional = true;
                 _memory.Add(place);
                 return;
@@ -317,6 +321,17 @@ namespace LaserTracking.Detection
             Trace?.Finish(candidate, view, dot.PositionPx, factor, known.Frames > 0, detections.Dots.Length);
             detections.Add(dot);
             Remember(view, candidate, dot, known);
+        }
+
+        private void KeepResting(Image image, in FrameView view, Detections detections)
+        {
+            for (int next = 0; _resting.TryFind(view, Noise, detections.TimeUs, ref next, out Candidate candidate, out RememberedDot known);)
+            {
+                Dot dot = _measurer.Measure(image, view, _planes.Factor, candidate, known, Noise);
+                Trace?.Finish(candidate, view, dot.PositionPx, _planes.Factor, true, detections.Dots.Length);
+                detections.Add(dot);
+                Remember(view, candidate, dot, known);
+            }
         }
 
         /// <summary>
@@ -357,26 +372,15 @@ namespace LaserTracking.Detection
             }
         }
 
-        private static RememberedDot PlaceOf(in Candidate candidate)
-        {
-            int margin = 2 + (Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top) + 1) / 2;
-            return new RememberedDot
-            {
-                Left = candidate.Left - margin,
-                Top = candidate.Top - margin,
-                Right = candidate.Right + margin,
-                Bottom = candidate.Bottom + margin,
-            };
-        }
-
         private void Remember(in FrameView view, in Candidate candidate, in Dot dot, in RememberedDot known)
         {
-            RememberedDot remembered = PlaceOf(candidate);
+            RememberedDot remembered = RememberedDot.PlaceOf(candidate);
             remembered.Frames = known.Frames + 1;
             remembered.IsConclusive = candidate.IsConclusive;
-            remembered.FirstTimeUs = _judge.TimeUs;
+            remembered.FirstTimeUs = remembered.LastTimeUs = _judge.TimeUs;
             remembered.Color = dot.Color;
             remembered.LogOdds = candidate.LogOdds;
+            remembered.PeakRise = candidate.PeakRise;
             remembered.PeakRelativeRise = candidate.PeakRelativeRise;
             remembered.Area = candidate.Area;
             remembered.Plane = candidate.Plane;
