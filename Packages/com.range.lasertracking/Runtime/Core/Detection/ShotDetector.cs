@@ -23,9 +23,9 @@ namespace LaserTracking.Detection
         private readonly SeedFinder _finder;
         private readonly DotMeasurer _measurer;
         private readonly DotMemory _memory = new DotMemory();
-        private readonly NoiseMeter _noise = new NoiseMeter();
-        private readonly GlobalChangeMeter _change = new GlobalChangeMeter();
-        private readonly ContentCeiling _content = new ContentCeiling();
+        private readonly NoiseMeter _noise;
+        private readonly GlobalChangeMeter _change;
+        private readonly ContentCeiling _content;
         private readonly ScreenMask _mask = new ScreenMask();
         private readonly BlindMeter _blind;
         private readonly int[] _reciprocal = new int[256];
@@ -45,7 +45,11 @@ namespace LaserTracking.Detection
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
         public ShotDetector(ShotDetectorSettings? settings = null, ExpectedView? expected = null, KernelRunner? kernels = null)
         {
-            _planes = new DetectionPlanes(kernels ?? KernelRunner.Plain);
+            kernels ??= KernelRunner.Plain;
+            _planes = new DetectionPlanes(kernels);
+            _noise = new NoiseMeter(kernels);
+            _change = new GlobalChangeMeter(kernels);
+            _content = new ContentCeiling(kernels);
             _settings = settings?.Clone() ?? new ShotDetectorSettings();
             _settings.Validate();
             _blind = new BlindMeter(_settings);
@@ -56,7 +60,7 @@ namespace LaserTracking.Detection
             _waiting = new WaitingCandidate[4 * _settings.MaxCandidates];
             _seeds = new Candidate[_settings.MaxCandidates];
             _seedOrder = new int[_settings.MaxCandidates];
-            _finder = new SeedFinder(_settings.MaxCandidates, _blobs, _memory);
+            _finder = new SeedFinder(_settings.MaxCandidates, _blobs, _memory, kernels);
             Probe = new DetectorProbe(_settings, _planes, _change, _judge, _blobs, _finder, _reciprocal);
             for (int headroom = 0; headroom < 256; headroom++)
                 _reciprocal[headroom] = 255 * 256 / (headroom + 8);
@@ -189,22 +193,22 @@ namespace LaserTracking.Detection
         {
             // Two rounds: a tile may hold two dots. The highest rise goes first, or a faint neighbour would grow into it and take it along.
             _blobs.Begin();
-            ReadOnlySpan<int> hot = tiles.FindHot(floor, _settings.MaxCandidates);
+            Span<int> hot = tiles.FindHot(floor, _settings.MaxCandidates);
             detections.Skip(tiles.HotCount - hot.Length);
             _judge.IsCrowded = tiles.HotCount > _settings.CrowdedShare * tiles.Columns * tiles.Rows;
             bool isAboveExpected = tiles == _expected?.Tiles;
             if (!isAboveExpected)
                 Trace?.Spot?.SetTile(plane, tiles, hot, floor, view, _planes.Factor);
+            if (_isPredicted)
+                hot = _expected!.Unexplained(hot);
+            _finder.Fill(view, plane, tiles.Columns, hot);
             for (int round = 0; round < 2; round++)
             {
-                int seeds = 0, slot = 0;
-                foreach (int tile in hot)
+                int seeds = 0;
+                for (int slot = 0; slot < hot.Length; slot++)
                 {
-                    if (_isPredicted && _expected!.ExplainsTile(tile))
-                        continue;
-                    if (round == 0)
-                        _finder.Fill(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot);
-                    if (!_finder.TryFind(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot++, out Candidate candidate))
+                    int tile = hot[slot];
+                    if (!_finder.TryFind(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot, out Candidate candidate))
                         continue;
                     candidate.Activity = tiles.Activity(tile);
                     candidate.ActivityAround = tiles.ActivityAround(tile);
