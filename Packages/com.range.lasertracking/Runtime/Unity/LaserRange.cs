@@ -123,8 +123,21 @@ namespace LaserTracking.Unity
                 Restart();
         }
 
-        /// <summary>The recorder gets no more frames; the range goes on.</summary>
-        internal void DetachFrames() => _pump?.StopRecording();
+        /// <summary>The recorder gets no more frames, and the hits of all shots so far; the range goes on.</summary>
+        internal void DetachFrames()
+        {
+            _pump?.StopRecording();
+            RaiseShots();
+        }
+
+        /// <summary>The source has ended, and every shot has been told.</summary>
+        internal bool HasToldAll => !IsRunning && !_events.HasShots;
+
+        private protected override void OnScored(in ShotEvent shot)
+        {
+            if (Recorder != null)
+                Recorder.AddScored(shot);
+        }
 
         /// <summary>While set, camera 0's frames go there instead of to the detector, on the detector's thread.</summary>
         internal void SetLook(Action<Frame>? look)
@@ -299,10 +312,15 @@ namespace LaserTracking.Unity
             return null;
         }
 
-        private void RaiseEvents()
+        private void RaiseShots()
         {
             while (_pump != null && _events.TryTakeShot(out ShotEvent shot))
                 Emit(shot, _pump.ToSceneTimeS(shot.Shot.TimeUs));
+        }
+
+        private void RaiseEvents()
+        {
+            RaiseShots();
             int dots = _events.TakeDots(_dots), hands = _events.TakeHands(_hands);
             for (int i = 0; i < dots; i++)
                 Raise(DotMoved, _dotMoved, _dots[i]);

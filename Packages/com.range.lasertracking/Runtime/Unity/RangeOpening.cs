@@ -58,14 +58,16 @@ namespace LaserTracking.Unity
                 KernelRunner kernels = RangeKernels.Create();
                 handModel = handSource == null && !WantsHands ? null : OpenHandModel(kernels);
                 var settings = new PipelineSettings { SceneTimeZeroUs = _asset.SceneTimeZeroUs };
-                // No scorer: rays are cast by Unity's physics, which only its own thread may ask.
-                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(null, null, kernels), calibration, handSource != null || WantsHands, null, events, settings, handModel, kernels);
-                pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
                 SessionLogWriter? recording = _range.Recorder?.Begin(_asset, source, handSource, handClockOffsetUs, calibration);
+                IEventSink sink = recording?.Events == null ? (IEventSink)events : new EventSinkGroup(new IEventSink[] { recording.Events, events });
+                // No scorer: rays are cast by Unity's physics, which only its own thread may ask.
+                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(null, null, kernels), calibration, handSource != null || WantsHands, null, sink, settings, handModel, kernels);
+                pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
                 return new FramePump(pipeline, source, handSource, handClockOffsetUs, _asset, handModel, events, recording, look);
             }
             catch
             {
+                _range.Recorder?.End(false);
                 _asset.ReleaseSource();
                 source?.Dispose();
                 handSource?.Dispose();

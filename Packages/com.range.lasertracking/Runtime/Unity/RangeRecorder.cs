@@ -12,9 +12,9 @@ using UnityEngine;
 namespace LaserTracking.Unity
 {
     /// <summary>
-    /// Records what a <see cref="LaserRange"/> sees: both cameras' frames as the detector gets them, calibration, scene and the poses of
-    /// what moves, in a folder that './range replay' runs again. Writing has threads of its own; with cameras, a disk that does not keep up costs
-    /// frames of the recording, which is said, never the game or a shot.
+    /// Records what a <see cref="LaserRange"/> sees and finds: both cameras' frames as the detector gets them, calibration, scene and the
+    /// poses of what moves, events, in a folder that './range replay' runs again. Writing has threads of its own; with cameras, a disk that
+    /// does not keep up costs frames of the recording, which is said, never the game or a shot.
     /// </summary>
     [DisallowMultipleComponent]
     [RequireComponent(typeof(LaserRange))]
@@ -102,7 +102,7 @@ namespace LaserTracking.Unity
                 };
                 SessionFolder = NextFolder();
                 _writer = new SessionLogWriter(SessionFolder, log, ScreenSettings(asset, screen, calibration), hands == null || !_recordsHands ? null : HandSettings(asset, hands),
-                    calibration == null ? null : RangeCalibrationFile.Format(calibration), scene);
+                    calibration == null ? null : RangeCalibrationFile.Format(calibration), scene, true);
                 _toldLost = 0;
                 _isToldProblem = false;
             }
@@ -114,6 +114,9 @@ namespace LaserTracking.Unity
 
             return _writer;
         }
+
+        /// <summary>Called by the range for each of its shots, hit or miss.</summary>
+        internal void AddScored(in ShotEvent shot) => _writer?.Events?.Score(shot);
 
         /// <summary>Called by the range when its detector has stopped.</summary>
         internal void End(bool isComplete)
@@ -149,7 +152,7 @@ namespace LaserTracking.Unity
             if (_writer.Poses != null)
                 _moved.Log(_writer.Poses, Time.timeAsDouble, _range!.SceneClockOffsetS);
             TellTroubles(_writer);
-            if (_range != null && !_range.IsRunning)
+            if (_range != null && _range.HasToldAll)
                 End(true);
         }
 

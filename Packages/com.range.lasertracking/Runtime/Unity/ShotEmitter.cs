@@ -112,12 +112,18 @@ namespace LaserTracking.Unity
             bool isCast = _caster != null && shot.HasScreenPosition;
             if (isCast)
                 trace = _caster!.Cast(ref shot, sceneTimeS);
+            OnScored(shot);
             Raise(ShotFired, _shotFired, shot);
             if (!isCast)
                 return;
             Raise(ShotTraced, null, trace);
             if (trace.Target != null)
                 trace.Target.ReportHit(shot);
+        }
+
+        /// <summary>The shot is complete; nobody has been told yet.</summary>
+        private protected virtual void OnScored(in ShotEvent shot)
+        {
         }
 
         private protected void Raise<T>(Action<T>? listeners, UnityEvent<T>? unityEvent, in T what) => Raise(this, listeners, unityEvent, what);
