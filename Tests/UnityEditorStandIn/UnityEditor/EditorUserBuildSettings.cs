@@ -5,6 +5,10 @@ namespace UnityEditor
 {
     public class EditorUserBuildSettings : UnityEngine.Object
     {
+        private EditorUserBuildSettings()
+        {
+        }
+
         public static string[] activeScriptCompilationDefines => EditorLog.Symbols.ToArray();
     }
 }
