@@ -16,15 +16,18 @@ namespace LaserTracking.Unity
 
         private readonly LaserRange _range;
         private readonly FrameSourceAsset _asset;
+        private readonly FrameSourceAsset? _handAsset;
         private readonly Action<string> _warn;
 
         /// <param name="range">To be opened.</param>
         /// <param name="asset">Its source.</param>
+        /// <param name="handAsset">Camera 1's own; null: the source's camera 1, if it has one.</param>
         /// <param name="warn">Told what is missing although it opens.</param>
-        public RangeOpening(LaserRange range, FrameSourceAsset asset, Action<string> warn)
+        public RangeOpening(LaserRange range, FrameSourceAsset asset, FrameSourceAsset? handAsset, Action<string> warn)
         {
             _range = range;
             _asset = asset;
+            _handAsset = handAsset;
             _warn = warn;
         }
 
@@ -52,9 +55,8 @@ namespace LaserTracking.Unity
                 if (calibration?.HandCamera != null)
                     handSource = OpenHandSource();
                 HasHands = handSource != null;
-                FrameSourceAsset? handAsset = _range.HandSource;
-                WantsHands = calibration?.HandCamera != null && handAsset != null && handAsset.IsLive;
-                long handClockOffsetUs = handSource == null && !WantsHands ? 0 : handAsset == null ? _asset.HandClockOffsetUs : handAsset.ClockOffsetUs;
+                WantsHands = calibration?.HandCamera != null && _handAsset != null && _handAsset.IsLive;
+                long handClockOffsetUs = handSource == null && !WantsHands ? 0 : _handAsset == null ? _asset.HandClockOffsetUs : _handAsset.ClockOffsetUs;
                 KernelRunner kernels = RangeKernels.Create();
                 handModel = handSource == null && !WantsHands ? null : OpenHandModel(kernels);
                 var settings = new PipelineSettings { SceneTimeZeroUs = _asset.SceneTimeZeroUs };
@@ -83,7 +85,7 @@ namespace LaserTracking.Unity
         /// <summary>Without it the range works, but nobody knows who fired.</summary>
         private IFrameSource? OpenHandSource()
         {
-            FrameSourceAsset? asset = _range.HandSource;
+            FrameSourceAsset? asset = _handAsset;
             try
             {
                 IFrameSource? source = asset == null ? _asset.CreateHandSource() : asset.CreateSource(_range);
@@ -130,7 +132,7 @@ namespace LaserTracking.Unity
             Vector2D off = calibration.Screen.ScreenSizeM - screen.SizeM;
             if (screen.HasSize && off.Length > SizeToleranceM)
                 _warn("LaserRange " + _range.name + ": the calibrated picture is " + calibration.Screen.ScreenSizeM + " m, the ScreenSurface " + screen.SizeM + " m, so shots land beside what was aimed at; set one to the other");
-            if (_range.HandSource != null && calibration.HandCamera == null)
+            if (_handAsset != null && calibration.HandCamera == null)
                 _warn("LaserRange " + _range.name + ": the calibration does not say where camera 1 stands, so its frames are not used; calibrate both cameras");
             return calibration;
         }

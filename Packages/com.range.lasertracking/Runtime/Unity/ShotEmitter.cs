@@ -58,10 +58,13 @@ namespace LaserTracking.Unity
             {
                 if (_viewpoint != null)
                     return _viewpoint;
-                Camera camera = Camera.main;
+                Camera camera = UnityEngine.Camera.main;
                 return camera == null ? null : camera.transform;
             }
         }
+
+        /// <summary>The camera that draws the picture on the screen; null where the viewpoint is none.</summary>
+        internal Camera? Camera => Viewpoint is Transform viewpoint && viewpoint.GetComponent<Camera>() is Camera camera && camera != null ? camera : null;
 
         internal int HitLayers => _hitLayers;
 
