@@ -54,6 +54,40 @@ namespace LaserTracking.Unity
         }
 
         [Test]
+        public void PathsWithCharactersThatNoPathHas_AreOneMessageEach()
+        {
+            var rig = new RangeRig(new StubSource(45, 0, (30, 320, 240)));
+            SerializedFields.Set(rig.Screen, "_calibrationFile", "screen\0.json");
+            rig.Play(1);
+            ExpectOne(rig, "\"screen\\0.json\": this is no path; enter it without characters such as < > | * ?");
+            SerializedFields.Set(rig.Screen, "_calibrationFile", "");
+            RecordingSource recording = ScriptableObject.CreateInstance<RecordingSource>();
+            SerializedFields.Set(recording, "_file", "\"a\0.mkv\"");
+            ConsoleLog.Clear();
+            rig.Health.Clear();
+            rig.Range.Source = recording;
+            rig.Play(1);
+            ExpectOne(rig, "\"a\\0.mkv\": this is no path; enter it without characters such as < > | * ?");
+        }
+
+        [Test]
+        public void PathInQuotationMarks_AsWindowsCopiesIt_IsTheFile()
+        {
+            string file = System.IO.Path.Combine(System.IO.Path.GetTempPath(), System.IO.Path.GetRandomFileName());
+            System.IO.File.WriteAllText(file, RangeRig.Calibration);
+            try
+            {
+                var rig = new RangeRig(new StubSource(1, 0), withCalibration: false);
+                SerializedFields.Set(rig.Screen, "_calibrationFile", " \"" + file + "\" ");
+                Assert.That(rig.Screen.ReadCalibration()!.ImageWidth, Is.EqualTo(640));
+            }
+            finally
+            {
+                System.IO.File.Delete(file);
+            }
+        }
+
+        [Test]
         public void HandSourceThatIsTheSourceToo_IsOneMessageAndShotsAreFound()
         {
             var rig = new RangeRig(new StubSource(45, 0, (30, 320, 240)));

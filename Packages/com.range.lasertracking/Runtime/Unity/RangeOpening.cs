@@ -103,11 +103,11 @@ namespace LaserTracking.Unity
         /// <summary>Without its file hands are found by depth alone.</summary>
         private HandLandmarkNetwork? OpenHandModel(KernelRunner kernels)
         {
-            string file = _range.HandModelFile;
-            if (file.Length == 0)
+            if (_range.HandModelFile.Length == 0)
                 return null;
             try
             {
+                string file = UserPath.Under("", _range.HandModelFile);
                 return HandLandmarkNetwork.Open(file, HandModelFile.ByName(file), kernels);
             }
             catch (InputException problem)

@@ -199,7 +199,7 @@ namespace LaserTracking.Unity
 
         private string NextFolder()
         {
-            string root = Path.Combine(Application.persistentDataPath, _folder);
+            string root = UserPath.Under(Application.persistentDataPath, _folder);
             for (int number = 1; number <= MaxSessions; number++)
             {
                 string folder = Path.Combine(root, "session-" + number.ToString("0000", CultureInfo.InvariantCulture));

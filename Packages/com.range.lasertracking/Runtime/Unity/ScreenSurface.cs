@@ -52,8 +52,9 @@ namespace LaserTracking.Unity
         }
 
         /// <summary>Where a calibration made while it runs is kept; null when none shall be.</summary>
+        /// <exception cref="InputException">What was entered is no path.</exception>
         public string? CalibrationPath =>
-            _calibrationFile.Length == 0 ? null : Path.Combine(Application.persistentDataPath, _calibrationFile);
+            _calibrationFile.Length == 0 ? null : UserPath.Under(Application.persistentDataPath, _calibrationFile);
 
         /// <summary>Puts a calibration in use for this run.</summary>
         internal void Use(RangeCalibration calibration) => _inUse = calibration;
@@ -71,7 +72,7 @@ namespace LaserTracking.Unity
                     RangeCalibrationFile.Write(calibration, path);
                 return true;
             }
-            catch (Exception failure) when (failure is IOException || failure is UnauthorizedAccessException)
+            catch (Exception failure) when (failure is IOException || failure is UnauthorizedAccessException || failure is InputException)
             {
                 problem = failure.Message;
                 return false;
