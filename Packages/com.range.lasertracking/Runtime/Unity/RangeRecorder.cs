@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using LaserTracking.Capture;
@@ -46,6 +47,7 @@ namespace LaserTracking.Unity
         private bool _recordsHands = true;
 
         private LaserRange? _range;
+        private readonly Stopwatch _running = new Stopwatch();
         private SessionLogWriter? _writer;
         private MovedObjects _moved = MovedObjects.None;
         private bool _isWanted;
@@ -103,6 +105,7 @@ namespace LaserTracking.Unity
                 SessionFolder = NextFolder();
                 _writer = new SessionLogWriter(SessionFolder, log, ScreenSettings(asset, screen, calibration), hands == null || !_recordsHands ? null : HandSettings(asset, hands),
                     calibration == null ? null : RangeCalibrationFile.Format(calibration), scene, true);
+                _running.Restart();
                 _toldLost = 0;
                 _isToldProblem = false;
             }
@@ -124,7 +127,7 @@ namespace LaserTracking.Unity
             if (_writer == null)
                 return;
             TellTroubles(_writer);
-            _writer.Finish(isComplete, 0);
+            _writer.Finish(isComplete, 0, _running.Elapsed.TotalSeconds);
             TellTroubles(_writer);
             _writer = null;
         }

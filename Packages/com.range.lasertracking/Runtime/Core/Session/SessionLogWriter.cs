@@ -1,5 +1,4 @@
 using System;
-using System.Diagnostics;
 using System.IO;
 using System.Text;
 using LaserTracking.Capture;
@@ -22,7 +21,6 @@ namespace LaserTracking.Session
         private WriteBehindStream? _eventFile;
         private WriteBehindStream? _poseFile;
         private DiskFlusher? _flusher;
-        private readonly Stopwatch _running = Stopwatch.StartNew();
         private SessionEnd _soFar;
         private bool _isDisposed;
 
@@ -109,11 +107,12 @@ namespace LaserTracking.Session
         /// <summary>Completes recordings and log. The disk may be full by now: <see cref="Problem"/> says so.</summary>
         /// <param name="isComplete">The session went on to its end: a replay gives its bytes.</param>
         /// <param name="inputProblems">What the sources reported damaged, which the recordings cannot show again.</param>
-        public void Finish(bool isComplete, int inputProblems)
+        /// <param name="secondsWall">What the session took by the host's clock, for the last line of its events where the pipeline goes on.</param>
+        public void Finish(bool isComplete, int inputProblems, double secondsWall = 0)
         {
             if (_isDisposed)
                 return;
-            FinishEvents();
+            FinishEvents(secondsWall);
             CloseAll();
             _log.Frames = (_screen?.RecordedFrames ?? 0) + (_hands?.RecordedFrames ?? 0);
             _log.Lost = LostFrames;
@@ -140,11 +139,11 @@ namespace LaserTracking.Session
             return new WriteBehindStream(new FileStream(path, FileMode.CreateNew, FileAccess.Write, FileShare.ReadWrite), path);
         }
 
-        private void FinishEvents()
+        private void FinishEvents(double secondsWall)
         {
             if (Events == null)
                 return;
-            _soFar.SecondsWall = _running.Elapsed.TotalSeconds;
+            _soFar.SecondsWall = secondsWall;
             SessionEnd end = Events.PipelineEnd ?? _soFar;
             Events.Finish(end);
             _log.SecondsWall = end.SecondsWall;
