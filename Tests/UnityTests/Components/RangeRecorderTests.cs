@@ -159,6 +159,28 @@ namespace LaserTracking.Unity
         }
 
         [Test]
+        public void RangeRecorder_OnceWarm_AllocatesNothingOnTheDetectorsThreadNorInUpdate()
+        {
+            var rig = new RangeRig(new StubSource(300, 0, (70, 320, 240), (150, 200, 240)));
+            RangeRig.AddPlate("plate", new Vector3(0, 0, 4), 0.5f).gameObject.SetActive(true);
+            RangeRecorder recorder = Add(rig);
+            rig.Play(9);
+            Assert.That(recorder.IsRecording, Is.True);
+            var update = (Action)Delegate.CreateDelegate(typeof(Action), rig.Range, "Update");
+            var lateUpdate = (Action)Delegate.CreateDelegate(typeof(Action), recorder, "LateUpdate");
+            long allocated = Allocation.Of(() =>
+            {
+                PlayerLoop.AdvanceTime(1 / 60.0);
+                update();
+                lateUpdate();
+            });
+            Assert.That(allocated, Is.Zero, "Update");
+            rig.Play(1.5);
+            Assert.That(rig.Shots, Has.Count.EqualTo(2));
+            Assert.That(rig.Source.LeastAllocatedIn20Frames(140, 290), Is.Zero, "the detector's thread");
+        }
+
+        [Test]
         public void RangeRecorder_StoppedByTheFirstShotsListener_HasThatShotsHit()
         {
             var rig = new RangeRig(new StubSource(500, 0, (10, 320, 240), (60, 320, 240)));
