@@ -24,9 +24,9 @@ namespace LaserTracking.Detection
         private readonly DotMeasurer _measurer;
         private readonly DotMemory _memory = new DotMemory();
         private readonly RestingDots _resting;
-        private readonly NoiseMeter _noise = new NoiseMeter();
-        private readonly GlobalChangeMeter _change = new GlobalChangeMeter();
-        private readonly ContentCeiling _content = new ContentCeiling();
+        private readonly NoiseMeter _noise;
+        private readonly GlobalChangeMeter _change;
+        private readonly ContentCeiling _content;
         private readonly ScreenMask _mask = new ScreenMask();
         private readonly BlindMeter _blind;
         private readonly int[] _reciprocal = new int[256];
@@ -46,7 +46,11 @@ namespace LaserTracking.Detection
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
         public ShotDetector(ShotDetectorSettings? settings = null, ExpectedView? expected = null, KernelRunner? kernels = null)
         {
-            _planes = new DetectionPlanes(kernels ?? KernelRunner.Plain);
+            kernels ??= KernelRunner.Plain;
+            _planes = new DetectionPlanes(kernels);
+            _noise = new NoiseMeter(kernels);
+            _change = new GlobalChangeMeter(kernels);
+            _content = new ContentCeiling(kernels);
             _settings = settings?.Clone() ?? new ShotDetectorSettings();
             _settings.Validate();
             _blind = new BlindMeter(_settings);
@@ -58,7 +62,7 @@ namespace LaserTracking.Detection
             _seeds = new Candidate[_settings.MaxCandidates];
             _seedOrder = new int[_settings.MaxCandidates];
             _resting = new RestingDots(_blobs, _memory);
-            _finder = new SeedFinder(_settings.MaxCandidates, _blobs, _memory);
+            _finder = new SeedFinder(_settings.MaxCandidates, _blobs, _memory, kernels);
             Probe = new DetectorProbe(_settings, _planes, _change, _judge, _blobs, _finder, _reciprocal);
             for (int headroom = 0; headroom < 256; headroom++)
                 _reciprocal[headroom] = 255 * 256 / (headroom + 8);
@@ -193,22 +197,22 @@ namespace LaserTracking.Detection
         {
             // Two rounds: a tile may hold two dots. The highest rise goes first, or a faint neighbour would grow into it and take it along.
             _blobs.Begin();
-            ReadOnlySpan<int> hot = tiles.FindHot(floor, _settings.MaxCandidates);
+            Span<int> hot = tiles.FindHot(floor, _settings.MaxCandidates);
             detections.Skip(tiles.HotCount - hot.Length);
             _judge.IsCrowded = tiles.HotCount > _settings.CrowdedShare * tiles.Columns * tiles.Rows;
             bool isAboveExpected = tiles == _expected?.Tiles;
             if (!isAboveExpected)
                 Trace?.Spot?.SetTile(plane, tiles, hot, floor, view, _planes.Factor);
+            if (_isPredicted)
+                hot = _expected!.Unexplained(hot);
+            _finder.Fill(view, plane, tiles.Columns, hot);
             for (int round = 0; round < 2; round++)
             {
-                int seeds = 0, slot = 0;
-                foreach (int tile in hot)
+                int seeds = 0;
+                for (int slot = 0; slot < hot.Length; slot++)
                 {
-                    if (_isPredicted && _expected!.ExplainsTile(tile))
-                        continue;
-                    if (round == 0)
-                        _finder.Fill(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot);
-                    if (!_finder.TryFind(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot++, out Candidate candidate))
+                    int tile = hot[slot];
+                    if (!_finder.TryFind(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot, out Candidate candidate))
                         continue;
                     candidate.Activity = tiles.Activity(tile);
                     candidate.ActivityAround = tiles.ActivityAround(tile);
@@ -317,21 +321,21 @@ namespace LaserTracking.Detection
                 return;
             }
 
-            Dot dot = _measurer.Measure(image, view, _planes.Factor, candidate, known, Noise);
-            Trace?.Finish(candidate, view, dot.PositionPx, factor, known.Frames > 0, detections.Dots.Length);
-            detections.Add(dot);
-            Remember(view, candidate, dot, known);
+            Take(image, view, candidate, known, detections);
         }
 
         private void KeepResting(Image image, in FrameView view, Detections detections)
         {
             for (int next = 0; _resting.TryFind(view, Noise, detections.TimeUs, ref next, out Candidate candidate, out RememberedDot known);)
-            {
-                Dot dot = _measurer.Measure(image, view, _planes.Factor, candidate, known, Noise);
-                Trace?.Finish(candidate, view, dot.PositionPx, _planes.Factor, true, detections.Dots.Length);
-                detections.Add(dot);
-                Remember(view, candidate, dot, known);
-            }
+                Take(image, view, candidate, known, detections);
+        }
+
+        private void Take(Image image, in FrameView view, in Candidate candidate, in RememberedDot known, Detections detections)
+        {
+            Dot dot = _measurer.Measure(image, view, _planes.Factor, candidate, known, Noise);
+            Trace?.Finish(candidate, view, dot.PositionPx, _planes.Factor, known.Frames > 0, detections.Dots.Length);
+            detections.Add(dot);
+            Remember(view, candidate, dot, known);
         }
 
         /// <summary>

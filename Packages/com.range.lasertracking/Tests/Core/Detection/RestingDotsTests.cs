@@ -40,7 +40,7 @@ namespace LaserTracking.Detection
             run.Play(0, 90, (b, i) =>
             {
                 b.Wall(50, 50, 50).Box(98, 105, 5, 5, 150, 160, 160);
-                bool isHeld = i >= 20 && i < 40, isTap = i == 50 || i == 51;
+                bool isHeld = i >= 20 && i < 27, isTap = i == 50 || i == 51;
                 if (isHeld || isTap)
                     b.RedDot(100, 107, 1.8, 0.5);
             });
