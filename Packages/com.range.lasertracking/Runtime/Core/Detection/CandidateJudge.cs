@@ -17,6 +17,9 @@ namespace LaserTracking.Detection
         /// <summary>Grey things reach one, and a little more by noise.</summary>
         private const double GreyVividness = 1.25;
 
+        /// <summary>What the projector could show itself, and what rises less than this beyond what moves in its picture, is faint there.</summary>
+        private const double MovementFactor = 2;
+
         private readonly ShotDetectorSettings _settings;
         private readonly BlobMeasurer _blobs;
 
@@ -37,6 +40,9 @@ namespace LaserTracking.Detection
 
         /// <summary>Temporal noise of this frame, levels (one standard deviation).</summary>
         public double Noise { get; set; }
+
+        /// <summary>Change from frame to frame that few pixels exceed, levels.</summary>
+        public double Movement { get; set; }
 
         /// <summary>Working pixels per pixel of a picture 640 wide.</summary>
         public double Scale { get; set; } = 1;
@@ -111,7 +117,8 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.Freshness < _settings.MinFreshness, RejectionReason.NotNew, candidate.Freshness, _settings.MinFreshness, "freshness"))
                 return;
             Span<float> features = stackalloc float[DotEvidence.Count];
-            double least = rise < _settings.FaintRise ? Math.Max(_settings.MinLogOdds, IsCrowded ? conclusive : _settings.FaintLogOdds) : _settings.MinLogOdds;
+            bool isFaint = rise < _settings.FaintRise || (candidate.MayBeContent && candidate.PeakRise < MovementFactor * Movement);
+            double least = isFaint ? Math.Max(_settings.MinLogOdds, IsCrowded ? conclusive : _settings.FaintLogOdds) : _settings.MinLogOdds;
             candidate.LogOdds = Weigh(view, ref candidate, 0, least, out int against, features);
             EvidenceCurve curve = _settings.Evidence.Curves[against];
             if (Fails(ref candidate, candidate.LogOdds < least, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What))

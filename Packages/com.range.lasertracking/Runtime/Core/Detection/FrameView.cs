@@ -40,6 +40,15 @@ namespace LaserTracking.Detection
             Reciprocal = reciprocal,
         };
 
+        /// <summary>A table for <see cref="Reciprocal"/>.</summary>
+        public static int[] Reciprocals()
+        {
+            var table = new int[256];
+            for (int headroom = 0; headroom < table.Length; headroom++)
+                table[headroom] = 255 * 256 / (headroom + 8);
+            return table;
+        }
+
         public static int Level(uint pixel, DetectionPlane plane)
         {
             int blue = (int)(pixel & 255), green = (int)(pixel >> 8 & 255), red = (int)(pixel >> 16 & 255);

@@ -9,6 +9,9 @@ namespace LaserTracking.Detection
         /// <summary>Pixels looked at, at least: the median of so many is known to two per cent.</summary>
         private const int Samples = 5000;
 
+        /// <summary>Share of the pixels that changed less than <see cref="Movement"/>.</summary>
+        private const double Calm = 0.97;
+
         private const double Follow = 0.2;
         private readonly LevelHistogram _histogram;
         private bool _isFirst = true;
@@ -18,14 +21,22 @@ namespace LaserTracking.Detection
         /// <summary>Standard deviation of one frame, levels; never below half a level, the rounding's share.</summary>
         public double Sigma { get; private set; } = 1;
 
+        /// <summary>Change from frame to frame that few pixels exceed, levels: noise in a still picture, far more where much of it moves.</summary>
+        public double Movement { get; private set; }
+
         public void Reset()
         {
             _isFirst = true;
             Sigma = 1;
+            Movement = 0;
         }
 
         /// <summary>The picture's treatment has changed its noise by this factor.</summary>
-        public void Scale(double factor) => Sigma *= factor;
+        public void Scale(double factor)
+        {
+            Sigma *= factor;
+            Movement *= factor;
+        }
 
         public void Update(in FrameView view)
         {
@@ -41,6 +52,9 @@ namespace LaserTracking.Detection
             double inside = (count * 0.5 - below) / Math.Max(1, histogram[level]);
             double sigma = Math.Max(0.5, Math.Max(0, level - 0.5 + inside) / 0.954);
             Sigma = _isFirst ? sigma : Sigma + Follow * (sigma - Sigma);
+            for (; level < 255 && below + histogram[level] < Calm * count; level++)
+                below += histogram[level];
+            Movement = _isFirst ? level : Movement + Follow * (level - Movement);
             _isFirst = false;
         }
     }

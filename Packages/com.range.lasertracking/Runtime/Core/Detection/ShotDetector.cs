@@ -29,7 +29,7 @@ namespace LaserTracking.Detection
         private readonly ContentCeiling _content;
         private readonly ScreenMask _mask = new ScreenMask();
         private readonly BlindMeter _blind;
-        private readonly int[] _reciprocal = new int[256];
+        private readonly int[] _reciprocal = FrameView.Reciprocals();
         private readonly WaitingCandidate[] _waiting;
         private readonly Candidate[] _seeds;
         private readonly int[] _seedOrder;
@@ -64,8 +64,6 @@ namespace LaserTracking.Detection
             _resting = new RestingDots(_blobs, _memory);
             _finder = new SeedFinder(_settings.MaxCandidates, _blobs, _memory, kernels);
             Probe = new DetectorProbe(_settings, _planes, _change, _judge, _blobs, _finder, _reciprocal);
-            for (int headroom = 0; headroom < 256; headroom++)
-                _reciprocal[headroom] = 255 * 256 / (headroom + 8);
         }
 
         public string Name => "shots";
@@ -164,6 +162,7 @@ namespace LaserTracking.Detection
         {
             _noise.Update(view);
             _judge.Noise = _noise.Sigma;
+            _judge.Movement = _noise.Movement;
             _judge.TimeUs = detections.TimeUs;
             _content.Update(view);
             _judge.ContentLevel = _content.Level;
