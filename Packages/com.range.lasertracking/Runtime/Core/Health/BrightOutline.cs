@@ -10,8 +10,8 @@ namespace LaserTracking.Health
     internal sealed unsafe class BrightOutline
     {
         public const int Sides = 4;
-        private const int Scans = 22, Candidates = 3, Box = 4, LeastStep = 10, LeastSides = 3;
-        private const double OnLineBins = 1.3, LeastShare = 0.35, LeastCover = 0.75, MostSlope = 0.35, LeastWidthShare = 0.3, SameBins = 2, FarShare = 0.05;
+        private const int Scans = 22, Candidates = 3, Box = 4, LeastStep = 10, LeastSides = 3, LooksStill = 3;
+        private const double OnLineBins = 1.3, LeastShare = 0.35, LeastCover = 0.75, MostSlope = 0.35, LeastWidthShare = 0.3, SameBins = 2, StillBins = 0.5, FarShare = 0.05;
 
         private readonly double[,] _found = new double[Scans, Candidates];
         private readonly int[] _counts = new int[Scans];
@@ -20,7 +20,8 @@ namespace LaserTracking.Health
         private readonly bool[] _has = new bool[Sides];
         private readonly double[] _restPlace = new double[Sides], _restSlope = new double[Sides];
         private readonly Vector2D[] _before = new Vector2D[Sides];
-        private bool _hasBefore;
+        private bool _hasBefore, _hasRest;
+        private int _still;
 
         /// <summary>Upper left, upper right, lower right, lower left, bins.</summary>
         public Vector2D[] Corners { get; } = new Vector2D[Sides];
@@ -28,7 +29,11 @@ namespace LaserTracking.Health
         /// <summary>An outline at rest was found to compare with.</summary>
         public bool IsKnown { get; private set; }
 
-        public void Reset() => _hasBefore = IsKnown = false;
+        public void Reset()
+        {
+            _hasBefore = _hasRest = IsKnown = false;
+            _still = 0;
+        }
 
         /// <summary>Looks for one border: 0 left, 1 upper, 2 right, 3 lower.</summary>
         public void Look(BinPicture picture, int side)
@@ -40,27 +45,50 @@ namespace LaserTracking.Health
             _has[side] = TryLine(side, across);
         }
 
-        /// <summary>After four looks: whether the borders make an outline, and the same as the time before.</summary>
-        public bool TryFinish(BinPicture picture)
+        /// <summary>
+        /// After four looks: whether the borders make an outline that rests. In a view at rest it must be the same twice; where what it
+        /// encloses moves, it must lie still for longer, which proves that it is not a part of that.
+        /// </summary>
+        public bool TryFinish(BinPicture picture, bool isViewAtRest)
         {
-            bool isOutline = _has[0] && _has[1] && _has[2] && _has[3] && MakeCorners(picture), isSame = isOutline && _hasBefore;
+            bool isOutline = _has[0] && _has[1] && _has[2] && _has[3] && MakeCorners(picture);
+            double moved = isOutline && _hasBefore ? 0 : double.PositiveInfinity;
             for (int i = 0; i < Sides; i++)
             {
-                isSame = isSame && (Corners[i] - _before[i]).Length < SameBins;
+                moved = Math.Max(moved, (Corners[i] - _before[i]).Length);
                 _before[i] = Corners[i];
             }
 
             _hasBefore = isOutline;
-            for (int side = 0; side < Sides && isSame; side++)
+            _still = moved < StillBins ? _still + 1 : 0;
+            if (isOutline && !_hasRest)
+                Rest();
+            if (isViewAtRest ? moved >= SameBins : _still < LooksStill)
+                return false;
+
+            // Seen somewhere else before: the camera has moved since, and that place remains the one to compare with.
+            if (!IsKnown)
+            {
+                IsKnown = true;
+                if (TryShift(picture, out Vector2D shift) && shift.Length > StillBins)
+                    return false;
+            }
+
+            Rest();
+            return true;
+        }
+
+        private void Rest()
+        {
+            _hasRest = true;
+            for (int side = 0; side < Sides; side++)
                 (_restPlace[side], _restSlope[side]) = (_offset[side] + _slope[side] * (Scans - 1) / 2, _slope[side]);
-            IsKnown |= isSame;
-            return isSame;
         }
 
         /// <summary>The borders to compare with, by corners in the order of <see cref="Corners"/>, bins.</summary>
         public void SetRest(BinPicture picture, Vector2D[] corners)
         {
-            IsKnown = true;
+            IsKnown = _hasRest = true;
             for (int side = 0; side < Sides; side++)
             {
                 Vector2D from = corners[(side + Sides - 1) % Sides], way = corners[side] - from;

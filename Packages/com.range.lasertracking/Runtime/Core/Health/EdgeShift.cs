@@ -13,7 +13,9 @@ namespace LaserTracking.Health
 
         /// <summary>Bins within which edges agree, and how many must.</summary>
         private const double AgreeBins = 0.8, LeastAgreement = 0.6;
-        private const int LeastProbes = 8;
+
+        /// <summary>Edges without which nothing can be said.</summary>
+        public const int LeastProbes = 8;
 
         private readonly double[,] _normal = new double[Unknowns, Unknowns];
         private readonly double[] _solution = new double[Unknowns];

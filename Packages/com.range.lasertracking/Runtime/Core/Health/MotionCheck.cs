@@ -64,21 +64,26 @@ namespace LaserTracking.Health
             _frame = _stable = _resting = _unanswered = 0;
             _said = default;
             _sinceUs = long.MinValue;
-            _room.Reset();
         }
 
         public void Update(Image image, HealthWriter health)
         {
             if (_frame == 0 && !_hasReference)
                 _byEdges = _outlinePx.Length > 2 && _edges.TryLay(_outlinePx, image.Width, image.Height);
-            if (!(_byEdges ? _edges.Look(image, _frame, FramesALook, !_hasReference) : _room.Look(image, _frame, FramesALook)))
+            if (!_hasReference)
+            {
+                _hasReference = _byEdges ? _edges.TryRefer(image) : _room.TryRefer(image);
                 return;
+            }
+
+            if (_byEdges)
+                _edges.Look(image, _frame, FramesALook);
+            else
+                _room.Look(image, _frame, FramesALook);
             if (++_frame < FramesALook)
                 return;
             _frame = 0;
-            if (_hasReference || !_byEdges)
-                Judge(health);
-            _hasReference = true;
+            Judge(health);
         }
 
         private void Judge(HealthWriter health)
