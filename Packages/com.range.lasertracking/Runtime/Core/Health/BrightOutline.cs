@@ -18,7 +18,7 @@ namespace LaserTracking.Health
         private readonly double[] _offset = new double[Sides], _slope = new double[Sides];
         private readonly bool[,] _isOn = new bool[Sides, Scans];
         private readonly bool[] _has = new bool[Sides];
-        private readonly double[] _restPlace = new double[Sides], _restSlope = new double[Sides];
+        private readonly double[] _restPlace = new double[Sides], _restSlope = new double[Sides], _middleBefore = new double[Sides];
         private readonly Vector2D[] _before = new Vector2D[Sides];
         private bool _hasBefore, _hasRest;
         private int _still;
@@ -52,37 +52,36 @@ namespace LaserTracking.Health
         public bool TryFinish(BinPicture picture, bool isViewAtRest)
         {
             bool isOutline = _has[0] && _has[1] && _has[2] && _has[3] && MakeCorners(picture);
-            double moved = isOutline && _hasBefore ? 0 : double.PositiveInfinity;
+            bool isSame = isOutline && _hasBefore, isStill = isSame;
             for (int i = 0; i < Sides; i++)
             {
-                moved = Math.Max(moved, (Corners[i] - _before[i]).Length);
-                _before[i] = Corners[i];
+                isSame = isSame && (Corners[i] - _before[i]).Length < SameBins;
+                isStill = isStill && Math.Abs(Middle(i) - _middleBefore[i]) < StillBins;
+                (_before[i], _middleBefore[i]) = (Corners[i], Middle(i));
             }
 
             _hasBefore = isOutline;
-            _still = moved < StillBins ? _still + 1 : 0;
+            _still = isStill ? _still + 1 : 0;
             if (isOutline && !_hasRest)
                 Rest();
-            if (isViewAtRest ? moved >= SameBins : _still < LooksStill)
+            if (isViewAtRest ? !isSame : _still < LooksStill)
                 return false;
 
-            // Seen somewhere else before: the camera has moved since, and that place remains the one to compare with.
-            if (!IsKnown)
-            {
-                IsKnown = true;
-                if (TryShift(picture, out Vector2D shift) && shift.Length > StillBins)
-                    return false;
-            }
-
+            // Where it was seen first remains the place to compare with: the camera may have moved or crept since.
+            IsKnown = true;
+            if (TryShift(picture, out Vector2D shift))
+                return shift.Length < StillBins;
             Rest();
             return true;
         }
+
+        private double Middle(int side) => _offset[side] + _slope[side] * (Scans - 1) / 2;
 
         private void Rest()
         {
             _hasRest = true;
             for (int side = 0; side < Sides; side++)
-                (_restPlace[side], _restSlope[side]) = (_offset[side] + _slope[side] * (Scans - 1) / 2, _slope[side]);
+                (_restPlace[side], _restSlope[side]) = (Middle(side), _slope[side]);
         }
 
         /// <summary>The borders to compare with, by corners in the order of <see cref="Corners"/>, bins.</summary>
@@ -144,7 +143,7 @@ namespace LaserTracking.Health
         {
             double per = Per(picture, side);
             (x, y) = side % 2 == 0 ? (1.0, -per) : (-per, 1.0);
-            miss = _offset[side] + _slope[side] * (Scans - 1) / 2 - _restPlace[side] - x * shift.X - y * shift.Y;
+            miss = Middle(side) - _restPlace[side] - x * shift.X - y * shift.Y;
             return _has[side] && Math.Abs(_slope[side] - _restSlope[side]) * (Scans - 1) < 3 * OnLineBins;
         }
 

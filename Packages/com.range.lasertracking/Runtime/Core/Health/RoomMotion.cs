@@ -27,7 +27,7 @@ namespace LaserTracking.Health
         /// <summary>Looks after which a cell that looks otherwise is taken for content; for the room it may be somebody who stands there.</summary>
         private const int LooksOfContent = 5, LooksOfHidden = 150, CutsToSurvive = 2;
 
-        /// <summary>Once the room is known its outline is looked for no oftener.</summary>
+        /// <summary>Once the room is known its outline is looked for no oftener, unless it alone had an answer.</summary>
         private const int LooksAnOutline = 25;
 
         private readonly ViewCells _cells = new ViewCells();
@@ -49,10 +49,11 @@ namespace LaserTracking.Health
         private bool _isCut;
         private Vector2D _asked;
         private bool _hasOutline;
+        private bool _isByOutline;
 
         public int BinPx => _now.BinPx;
 
-        private bool IsOutlineDue => _room < LeastRoom || !_isAtRest || _looks % LooksAnOutline <= 1;
+        private bool IsOutlineDue => _room < LeastRoom || !_isAtRest || _isByOutline || _looks % LooksAnOutline <= 1;
 
         /// <summary>What was last said is the camera's displacement: the room itself moved, or rests.</summary>
         public bool IsCamera { get; private set; }
@@ -137,10 +138,10 @@ namespace LaserTracking.Health
             IsCamera = _room >= LeastRoom;
             bool isKnown = _solver.TrySolve(_expected, out shift);
             Vector2D byOutline = default;
-            bool isByOutline = _hasOutline && _outline.TryShift(_now, out byOutline);
-            bool isOther = !isKnown || (byOutline - shift).Length > LeastBins;
-            if (isByOutline && (isOther || shift.Length >= LeastBins))
-                (isKnown, shift, IsCamera) = (true, isOther ? byOutline : shift, true);
+            bool isOutlined = _hasOutline && _outline.TryShift(_now, out byOutline);
+            _isByOutline = isOutlined && (!isKnown || (byOutline - shift).Length > LeastBins);
+            if (isOutlined && (_isByOutline || shift.Length >= LeastBins))
+                (isKnown, shift, IsCamera) = (true, _isByOutline ? byOutline : shift, true);
             else if (isKnown && shift.Length >= LeastBins)
                 isKnown = TryAsk(ref shift);
             _isAtRest = isKnown && shift.Length < LeastBins;
