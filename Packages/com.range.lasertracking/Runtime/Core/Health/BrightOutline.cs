@@ -21,7 +21,7 @@ namespace LaserTracking.Health
         private readonly double[] _restPlace = new double[Sides], _restSlope = new double[Sides], _middleBefore = new double[Sides];
         private readonly Vector2D[] _before = new Vector2D[Sides];
         private bool _hasBefore, _hasRest;
-        private int _still;
+        private readonly int[] _still = new int[Sides];
 
         /// <summary>Upper left, upper right, lower right, lower left, bins.</summary>
         public Vector2D[] Corners { get; } = new Vector2D[Sides];
@@ -32,7 +32,7 @@ namespace LaserTracking.Health
         public void Reset()
         {
             _hasBefore = _hasRest = IsKnown = false;
-            _still = 0;
+            Array.Clear(_still, 0, Sides);
         }
 
         /// <summary>Looks for one border: 0 left, 1 upper, 2 right, 3 lower.</summary>
@@ -52,19 +52,20 @@ namespace LaserTracking.Health
         public bool TryFinish(BinPicture picture, bool isViewAtRest)
         {
             bool isOutline = _has[0] && _has[1] && _has[2] && _has[3] && MakeCorners(picture);
-            bool isSame = isOutline && _hasBefore, isStill = isSame;
+            bool isSame = isOutline && _hasBefore;
+            int still = 0;
             for (int i = 0; i < Sides; i++)
             {
                 isSame = isSame && (Corners[i] - _before[i]).Length < SameBins;
-                isStill = isStill && Math.Abs(Middle(i) - _middleBefore[i]) < StillBins;
+                _still[i] = _has[i] && Math.Abs(Middle(i) - _middleBefore[i]) < StillBins ? _still[i] + 1 : 0;
+                still += _still[i] >= LooksStill ? 1 : 0;
                 (_before[i], _middleBefore[i]) = (Corners[i], Middle(i));
             }
 
             _hasBefore = isOutline;
-            _still = isStill ? _still + 1 : 0;
             if (isOutline && !_hasRest)
                 Rest();
-            if (isViewAtRest ? !isSame : _still < LooksStill)
+            if (isViewAtRest ? !isSame : !isOutline || still < LeastSides)
                 return false;
 
             // Where it was seen first remains the place to compare with: the camera may have moved or crept since.

@@ -29,6 +29,9 @@ namespace LaserTracking.Health
 
         public int BinPx => _profiles.BinPx;
 
+        /// <summary>Standard deviation of what the edges last agreed on, bins.</summary>
+        public double SigmaBins => _solver.SigmaBins;
+
         public bool TryLay(Vector2D[] outlinePx, int width, int height)
         {
             Array.Clear(_missed, 0, _missed.Length);

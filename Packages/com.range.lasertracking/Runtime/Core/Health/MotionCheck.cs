@@ -28,6 +28,9 @@ namespace LaserTracking.Health
 
         private const double StableBins = 0.3, RestingShare = 0.1;
 
+        /// <summary>Standard deviations below which a displacement is none, and within which two are the same.</summary>
+        private const double SureSigmas = 5, SameSigmas = 3;
+
         /// <summary>How much of the least displacement must be added to one that was said to be said again.</summary>
         private const double AgainFactor = 2;
 
@@ -99,15 +102,16 @@ namespace LaserTracking.Health
             }
 
             _unanswered = 0;
-            _stable = (shift - _last).Length <= StableBins ? _stable + 1 : 0;
+            double sigma = _byEdges ? _edges.SigmaBins : 0, same = Math.Max(StableBins, SameSigmas * sigma);
+            _stable = (shift - _last).Length <= same ? _stable + 1 : 0;
             _last = shift;
 
             // Cells see a long way less exactly than edges do a short one.
-            _resting = (shift - _restingAt).Length <= Math.Max(StableBins, _byEdges ? 0 : RestingShare * shift.Length) ? _resting + 1 : 0;
+            _resting = (shift - _restingAt).Length <= Math.Max(same, _byEdges ? 0 : RestingShare * shift.Length) ? _resting + 1 : 0;
             if (_resting == 0)
                 _restingAt = shift;
             long now = health.TimeUs;
-            double least = _settings.ShiftPx * (_saidMoved ? AgainFactor : 1);
+            double least = Math.Max(_settings.ShiftPx * (_saidMoved ? AgainFactor : 1), SureSigmas * sigma);
             if (Math.Max(largest - _said.Length, (shift - _said).Length) < least)
             {
                 _sinceUs = long.MinValue;
