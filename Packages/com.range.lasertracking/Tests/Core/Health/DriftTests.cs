@@ -32,6 +32,22 @@ namespace LaserTracking.Health
             Assert.That(moved[0].TimeUs, Is.LessThan((45 * run.IntervalUs) + 5_000_000), "within five seconds");
         }
 
+        [TestCase(2, 0)]
+        [TestCase(28, 20)]
+        public void PictureMonitor_BumpAtTheVeryBeginning_IsSaid(int bump, int dark)
+        {
+            MonitorRun run = Known(Screen);
+            run.Play(0, 100, (b, i) =>
+            {
+                Draw(b, i, i < bump ? 0 : 4, i < bump ? 0 : -3);
+                if (i < dark)
+                    b.Multiply(0.02f);
+            });
+            HealthEvent[] moved = Moved(run);
+            Assert.That(moved, Has.Length.EqualTo(1), string.Join("; ", run.Said.Select(h => h.Text)));
+            Assert.That(moved[0].Value, Is.EqualTo(5).Within(0.4));
+        }
+
         [Test]
         public void PictureMonitor_PictureThatSwitchesAndPans_IsNoMovement()
         {

@@ -71,6 +71,29 @@ namespace LaserTracking.Health
             Assert.That(run.Said[0].TimeUs, Is.LessThan(3_030_000 + 5_000_000));
         }
 
+        [TestCase(0.1, 0.0)]
+        [TestCase(0.3, 0.0)]
+        [TestCase(1.1, 0.0)]
+        [TestCase(2.0, 1.0)]
+        public void PictureMonitor_CameraThatStepsAtTheVeryBeginning_IsSaid(double seconds, double dark)
+        {
+            // While the first look is taken, or soon after the camera found its exposure; the picture scrolls all the time.
+            var run = new MonitorRun(framesPerSecond: Fps, format: PixelFormat.Gray8);
+            run.Play(0, 8 * Fps, (b, i) =>
+            {
+                double t = i / (double)Fps;
+                var moved = new Vector2D(t < seconds ? 0 : 4, t < seconds ? 0 : -3);
+                Content(b, new Vector2D(5 * t, 0) + moved);
+                Room(b, moved);
+                if (t < dark)
+                    b.Multiply(0.02f);
+            });
+            HealthEvent[] said = run.Said.Where(h => h.Kind == HealthKind.CameraMoved || h.Kind == HealthKind.MotionUnclear).ToArray();
+            Assert.That(said.Select(h => h.Kind), Is.EqualTo(new[] { HealthKind.CameraMoved }), string.Join("; ", said.Select(h => h.Text)));
+            Assert.That(said[0].Value, Is.EqualTo(5).Within(0.5));
+            Assert.That(said[0].TimeUs, Is.LessThan(1e6 * (seconds + 5)));
+        }
+
         [Test]
         public void PictureMonitor_CameraThatStepsRightAfterThePicturePanned_IsSaid()
         {
