@@ -61,7 +61,7 @@ namespace LaserTracking.Calibration
             List<string> undetermined = Undetermined(fit, out bool isParallel);
             if (undetermined.Count > 0)
             {
-                string why = isParallel ? FormattableString.Invariant($"the views are all parallel, as far as one can tell (within {fit.LeastAngleDegrees:F1}°)")
+                string why = used.Count == 1 ? "one view is not enough" : isParallel ? FormattableString.Invariant($"the views are all parallel, as far as one can tell (within {fit.LeastAngleDegrees:F1}°)")
                     : FormattableString.Invariant($"{used.Count} views with tilts that differ by {fit.LargestAngleDegrees():F0}° at most and an error of {fit.RmsPx:F2} px are not enough");
                 reason = $"{why}: not determined: {string.Join(", ", undetermined)}; take views tilted by 20° to 40°, some about each axis";
                 return false;

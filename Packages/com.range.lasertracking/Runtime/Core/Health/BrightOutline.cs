@@ -69,8 +69,11 @@ namespace LaserTracking.Health
                 return false;
 
             // Where it was seen first remains the place to compare with: the camera may have moved or crept since.
+            bool isFirst = TryMeasure(picture, out Vector2D shift);
+            if (!isFirst && !isViewAtRest && still < Sides)
+                return false;
             IsKnown = true;
-            if (TryShift(picture, out Vector2D shift))
+            if (isFirst)
                 return shift.Length < StillBins;
             Rest();
             return true;
@@ -104,9 +107,15 @@ namespace LaserTracking.Health
         public bool TryShift(BinPicture picture, out Vector2D shift)
         {
             shift = default;
+            return IsKnown && TryMeasure(picture, out shift);
+        }
+
+        private bool TryMeasure(BinPicture picture, out Vector2D shift)
+        {
+            shift = default;
             double xx = 0, xy = 0, yy = 0, bx = 0, by = 0;
             int count = 0;
-            for (int side = 0; side < Sides && IsKnown; side++)
+            for (int side = 0; side < Sides; side++)
             {
                 if (!TryMiss(picture, side, shift, out double went, out double x, out double y))
                     continue;

@@ -27,7 +27,7 @@ namespace LaserTracking.Health
         /// <summary>How far the edge moved where it moved furthest, bins.</summary>
         public double LargestBins { get; private set; }
 
-        /// <summary>Standard deviation of the shift, from how far the edges that agree scatter, bins.</summary>
+        /// <summary>Standard deviation of the largest displacement, from how far the edges that agree scatter, bins.</summary>
         public double SigmaBins { get; private set; }
 
         /// <param name="profiles">The probes' places.</param>
@@ -76,8 +76,8 @@ namespace LaserTracking.Health
                 (_solution[0], _solution[1], _solution[2], _solution[3]) = (a, b, c, d);
                 Cholesky.Solve(_normal, _solution);
 
-                // An edge shows one axis: each is known from half of them.
-                SigmaBins = Math.Sqrt(squares / Math.Max(1, used - Unknowns)) * Math.Sqrt(4.0 / used);
+                // An edge shows one axis: each is known from half of them, the turn at the corners from about a third.
+                SigmaBins = Math.Sqrt(squares / Math.Max(1, used - Unknowns)) * Math.Sqrt((2.0 + 2 + 3) / used);
             }
 
             Shift = new Vector2D(_solution[0], _solution[1]);

@@ -29,7 +29,7 @@ namespace LaserTracking.Health
         private const double StableBins = 0.3, RestingShare = 0.1;
 
         /// <summary>Standard deviations below which a displacement is none, and within which two are the same.</summary>
-        private const double SureSigmas = 5, SameSigmas = 3;
+        private const double SureSigmas = 6, SameSigmas = 3;
 
         /// <summary>How much of the least displacement must be added to one that was said to be said again.</summary>
         private const double AgainFactor = 2;
@@ -44,6 +44,7 @@ namespace LaserTracking.Health
         private int _stable;
         private int _resting;
         private int _unanswered;
+        private int _beyond;
         private int _frame;
         private bool _hasReference;
         private bool _byEdges;
@@ -115,15 +116,19 @@ namespace LaserTracking.Health
             if (Math.Max(largest - _said.Length, (shift - _said).Length) < least)
             {
                 _sinceUs = long.MinValue;
+                _beyond = 0;
                 return;
             }
 
+            // What a moving texture does to a noisy edge does not last.
+            if (++_beyond < LooksToAgree)
+                _resting = Math.Min(_resting, LooksToAgree - 1);
             if (_sinceUs == long.MinValue || now < _sinceUs)
                 _sinceUs = now;
             bool isCamera = _byEdges || _room.IsCamera;
 
             // What has come to rest is said with its whole length; what creeps on is said in time.
-            bool isDue = _resting >= LooksToAgree || (isCamera ? _stable >= LooksToAgree && now - _sinceUs >= GrowingUs : now - _sinceUs >= ContinuingUs);
+            bool isDue = _resting >= LooksToAgree || (isCamera ? _stable >= 1 && _beyond >= LooksToAgree && now - _sinceUs >= GrowingUs : now - _sinceUs >= ContinuingUs);
             if (!isDue)
                 return;
             if (isCamera)
