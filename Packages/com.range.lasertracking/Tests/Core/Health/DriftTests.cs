@@ -17,9 +17,9 @@ namespace LaserTracking.Health
 
         [TestCase(2, 0, "right")]
         [TestCase(-2, 0, "left")]
-        [TestCase(0, 3, "down")]
+        [TestCase(0, 3, "down", Category = "Long")]
         [TestCase(4, -4, "right and up")]
-        [TestCase(-9, 0, "left")]
+        [TestCase(-9, 0, "left", Category = "Long")]
         [TestCase(48, -30, "right and up")]
         public void PictureMonitor_BumpWhileThePictureSwitches_IsSaidOnceWithItsWay(int x, int y, string way)
         {
@@ -103,7 +103,7 @@ namespace LaserTracking.Health
         [TestCase(ProjectedContent.Bay, 0.94)]
         [TestCase(ProjectedContent.Shapes, 0.94)]
         [TestCase(ProjectedContent.ShapesOverTexture, 0.94)]
-        [TestCase(ProjectedContent.ShapesOverTexture, 0.02)]
+        [TestCase(ProjectedContent.ShapesOverTexture, 0.02, Category = "Long")]
         public void PictureMonitor_SimulatedContentMoves_OnlyTheCameraCounts(ProjectedContent content, double speed)
         {
             SimulationScenario scenario = Room(content, speed);
@@ -116,6 +116,7 @@ namespace LaserTracking.Health
         }
 
         [Test]
+        [Category("Long")]
         public void PictureMonitor_SlowDrift_IsSaidOnceInTime()
         {
             SimulationScenario scenario = Room(ProjectedContent.Shapes, 0.5);

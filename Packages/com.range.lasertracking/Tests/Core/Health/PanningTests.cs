@@ -14,11 +14,11 @@ namespace LaserTracking.Health
         private const int Fps = 15;
 
         [TestCase(0.15, 0)]
-        [TestCase(0.4, 0.3)]
-        [TestCase(1, 0)]
+        [TestCase(0.4, 0.3, Category = "Long")]
+        [TestCase(1, 0, Category = "Long")]
         [TestCase(0, -2)]
         [TestCase(-3, 3)]
-        [TestCase(8, 0)]
+        [TestCase(8, 0, Category = "Long")]
         [TestCase(25, -10)]
         public void PictureMonitor_PictureThatFillsTheViewPans_IsNoMovedCamera(double x, double y)
         {
@@ -27,8 +27,8 @@ namespace LaserTracking.Health
         }
 
         [TestCase(0.5, 0, 2.0)]
-        [TestCase(2, 1, 1.5)]
-        [TestCase(-4, 4, 2.5)]
+        [TestCase(2, 1, 1.5, Category = "Long")]
+        [TestCase(-4, 4, 2.5, Category = "Long")]
         [TestCase(6, 0, 1.2)]
         [TestCase(0, 15, 4.0)]
         public void PictureMonitor_PanThatStartsAndStops_IsNoMovedCamera(double x, double y, double seconds)
@@ -110,7 +110,7 @@ namespace LaserTracking.Health
         }
 
         [TestCase(0.5, 0.2, 5)]
-        [TestCase(-3, 1, 4)]
+        [TestCase(-3, 1, 4, Category = "Long")]
         [TestCase(10, -4, 3)]
         [TestCase(-26, 7, 1)]
         public void PictureMonitor_CameraThatCreepsAndRests_IsSaid(double x, double y, double seconds)
