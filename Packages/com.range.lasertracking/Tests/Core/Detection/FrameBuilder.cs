@@ -7,7 +7,7 @@ namespace LaserTracking.Detection
     /// <summary>Draws small test pictures: a wall with noise, laser dots as light added before the sensor clips, shapes. Seeded.</summary>
     internal sealed unsafe class FrameBuilder
     {
-        private static readonly float[] Normal = NormalTable();
+        private static readonly float[] Normals = NormalTable();
         private readonly float[] _light;
         private uint _random = 12345;
 
@@ -123,7 +123,7 @@ namespace LaserTracking.Detection
             int i = 3 * (y * Width + x);
             if (image.Format == PixelFormat.Gray8)
             {
-                image.Pixels[((long)y * image.Stride) + x] = (byte)Clip(0.114 * _light[i] + 0.587 * _light[i + 1] + 0.299 * _light[i + 2] + Noise());
+                image.Pixels[((long)y * image.Stride) + x] = (byte)Clip(0.114 * _light[i] + 0.587 * _light[i + 1] + 0.299 * _light[i + 2] + GrayNoise());
                 return;
             }
 
@@ -158,22 +158,27 @@ namespace LaserTracking.Detection
 
         private static int Clip(double value) => value < 0 ? 0 : value > 255 ? 255 : (int)(value + 0.5);
 
-        private float Noise() => NoiseSigma <= 0 ? 0 : (float)NoiseSigma * Normal[Next(ref _random) >> 20];
+        private double Noise() => NoiseSigma <= 0 ? 0 : NoiseSigma * Normal(ref _random);
 
-        /// <summary>Sums of four uniform numbers each: near enough to normal ones.</summary>
+        /// <summary>The same from a table, for long plays of grey pictures.</summary>
+        private float GrayNoise() => NoiseSigma <= 0 ? 0 : (float)NoiseSigma * Normals[Next(ref _random) >> 20];
+
         private static float[] NormalTable()
         {
             uint random = 54321;
             var table = new float[4096];
             for (int i = 0; i < table.Length; i++)
-            {
-                double sum = -2;
-                for (int k = 0; k < 4; k++)
-                    sum += Next(ref random) / 4294967296.0;
-                table[i] = (float)(sum * 1.7320508);
-            }
-
+                table[i] = (float)Normal(ref random);
             return table;
+        }
+
+        /// <summary>Sum of four uniform numbers: near enough to a normal one.</summary>
+        private static double Normal(ref uint random)
+        {
+            double sum = -2;
+            for (int i = 0; i < 4; i++)
+                sum += Next(ref random) / 4294967296.0;
+            return sum * 1.7320508;
         }
 
         private static uint Next(ref uint random)
