@@ -12,7 +12,7 @@ namespace LaserTracking.Calibration
     {
         private const int Width = 1280;
         private const int Height = 720;
-        private const double UsableShare = 0.02;
+        private const double UsableShare = 0.02, OpenShare = 0.05;
 
         [Test]
         [Pairwise]
@@ -31,7 +31,8 @@ namespace LaserTracking.Calibration
             double[] parameters = CameraParameters.Of(found!.Camera);
             for (int i = 0; i < 2; i++)
             {
-                Assert.That(found.StandardDeviations[i], Is.LessThanOrEqualTo(UsableShare * parameters[i]), CameraParameters.NameOf(i));
+                Assert.That(found.StandardDeviations[i], Is.LessThanOrEqualTo(OpenShare * parameters[i]), CameraParameters.NameOf(i));
+                Assert.That(found.StandardDeviations[i] <= UsableShare * parameters[i] || found.Notes.Any(note => note.Contains(CameraParameters.NameOf(i) + " to ")), "what is known badly is said");
                 Assert.That(Math.Abs(parameters[i] - truth[i]), Is.LessThanOrEqualTo(3 * found.StandardDeviations[i]), CameraParameters.NameOf(i));
             }
 

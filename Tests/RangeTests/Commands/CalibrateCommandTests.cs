@@ -146,7 +146,7 @@ namespace LaserTracking.Commands
             string real = folder.File("real.json"), link = folder.File("link.json");
             File.WriteAllText(real, "old");
             File.CreateSymbolicLink(link, real);
-            Assert.That(CommandLine.Run(["calibrate", "screen", "--size", "3x2", "--out", link, "--corners", .. Corners]).ExitCode, Is.EqualTo(ExitCodes.Done));
+            Assert.That(CommandLine.Run(["calibrate", "screen", "--size", "3x2", "--out", link, "--replace", "--corners", .. Corners]).ExitCode, Is.EqualTo(ExitCodes.Done));
             Assert.That(new FileInfo(link).LinkTarget, Is.EqualTo(real));
             Assert.That(File.ReadAllText(real), Does.Contain("\"kind\": \"screen\""));
         }

@@ -69,6 +69,23 @@ namespace LaserTracking.Commands
             Assert.That(Screen(0.001).Item1, Is.EqualTo(ExitCodes.Done));
         }
 
+        [TestCase("my notes", "no calibration that this can judge")]
+        [TestCase("{\"v\":9,\"kind\":\"screen\"}", "newer release")]
+        [TestCase("{\"v\":1,\"kind\":\"camera\",\"image_size\":[1280,720]}", "of another camera")]
+        [TestCase("{\"v\":1,\"kind\":\"screen\",\"image_size\":[10,10]}", "of another camera")]
+        public void Screen_OtherFileInItsPlace_IsNotOverwritten(string content, string words)
+        {
+            using var folder = new TemporaryFolder();
+            string screen = folder.File("screen.json");
+            string[] line = ["calibrate", "screen", "--size", "3x2", "--out", screen, "--corners", "0,0", "600,0", "600,400", "0,400"];
+            File.WriteAllText(screen, content);
+            (int exitCode, _, string error) = CommandLine.Run(line);
+            Assert.That(exitCode, Is.EqualTo(ExitCodes.CheckFailed));
+            Assert.That(error, Does.Contain(words).And.Contain("--replace"));
+            Assert.That(File.ReadAllText(screen), Is.EqualTo(content));
+            Assert.That(CommandLine.Run([.. line, "--replace"]).ExitCode, Is.EqualTo(ExitCodes.Done));
+        }
+
         [Test]
         public void Board_OtherFileInItsPlace_IsNotOverwritten()
         {

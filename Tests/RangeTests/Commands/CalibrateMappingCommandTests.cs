@@ -51,6 +51,19 @@ namespace LaserTracking.Commands
             CommandLine.AssertRefused("only the detector dual", "replay", folder.File("recording.mkv"), "--mapping", file);
         }
 
+        [Test]
+        public void Mapping_InfraredLargerThanColour_AsksWhetherTheyAreExchanged()
+        {
+            using var folder = new TemporaryFolder();
+            Write(folder, out _);
+            JObject corners = JObject.Parse(File.ReadAllText(folder.File("corners.json")));
+            (corners["infrared"], corners["color"]) = (corners["color"]!.DeepClone(), corners["infrared"]!.DeepClone());
+            File.WriteAllText(folder.File("corners.json"), corners.ToString());
+            (int code, _, string error) = CommandLine.Run("calibrate", "mapping", "--corners", folder.File("corners.json"), "--out", folder.File("other.json"), "--limit", "5");
+            Assert.That(code, Is.EqualTo(ExitCodes.Done), error);
+            Assert.That(error, Does.Contain("infrared is the larger picture (1280x720, color 512x512): are the two exchanged?"));
+        }
+
         [TestCase("mirrored", "infrared picture is mirrored")]
         [TestCase("outside", "field infrared.px, point 3 lies at -7,90, outside the image of 512x512")]
         [TestCase("id", "field infrared.ids, element 2, is no whole number")]

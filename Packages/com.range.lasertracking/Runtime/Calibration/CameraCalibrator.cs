@@ -18,6 +18,9 @@ namespace LaserTracking.Calibration
         // picture's width, the lens by half the picture's width, at its edge (in the corners even good sets are no better).
         private const double UsableShare = 0.02;
 
+        // Focal lengths and centres that are known worse than usual are said with how well; from here on they count as not determined.
+        private const double OpenShare = 0.05;
+
         // However sure the fit believes to be: parallel boards give two equations for four numbers, the rest comes from the lens model.
         private const double CertainlyParallelDegrees = 1, ParallelDeviations = 6, ParallelDegrees = 8;
 
@@ -58,7 +61,7 @@ namespace LaserTracking.Calibration
             List<string> undetermined = Undetermined(fit, out bool isParallel);
             if (undetermined.Count > 0)
             {
-                string why = isParallel ? FormattableString.Invariant($"the views are all parallel, as far as one can tell (within {fit.LeastAngleDegrees:F1}°)")
+                string why = used.Count == 1 ? "one view is not enough" : isParallel ? FormattableString.Invariant($"the views are all parallel, as far as one can tell (within {fit.LeastAngleDegrees:F1}°)")
                     : FormattableString.Invariant($"{used.Count} views with tilts that differ by {fit.LargestAngleDegrees():F0}° at most and an error of {fit.RmsPx:F2} px are not enough");
                 reason = $"{why}: not determined: {string.Join(", ", undetermined)}; take views tilted by 20° to 40°, some about each axis";
                 return false;
@@ -75,6 +78,7 @@ namespace LaserTracking.Calibration
                 fit = simpler;
             }
 
+            NoteWeak(fit, notes);
             if (held.Count > 0)
                 notes.Add($"the views do not determine {string.Join(", ", held)}: held at 0; for these, take views that reach to the edges of the picture");
             calibration = new CameraCalibration(fit.Camera, model, fit.RmsPx, used, fit.PerViewRmsPx, fit.State.Boards, fit.StandardDeviations(fit.AxisSigmaPx), leftOut, notes, isMirrored);
@@ -119,9 +123,22 @@ namespace LaserTracking.Calibration
             double angle = fit.LargestAngleDegrees();
             bool isCertainlyParallel = angle < Math.Max(CertainlyParallelDegrees, ParallelDeviations * fit.TiltDeviationDegrees());
             PinholeCamera pinhole = fit.Camera.Pinhole;
-            double[] usable = { UsableShare * pinhole.FocalXPx, UsableShare * pinhole.FocalYPx, UsableShare * pinhole.Width, UsableShare * pinhole.Width };
+            double[] usable = Scales(pinhole).Select(scale => OpenShare * scale).ToArray();
             isParallel = isCertainlyParallel || fit.LeastAngleDegrees < ParallelDegrees;
             return Enumerable.Range(0, 4).Where(i => isCertainlyParallel || !(deviations[i] <= usable[i]) || (i < 2 && fit.HasRival)).Select(CameraParameters.NameOf).ToList();
+        }
+
+        /// <summary>What focal lengths and centre are measured by.</summary>
+        private static double[] Scales(PinholeCamera pinhole) => new double[] { pinhole.FocalXPx, pinhole.FocalYPx, pinhole.Width, pinhole.Width };
+
+        /// <summary>Adds a note on what is known, but not well.</summary>
+        private static void NoteWeak(Fit fit, List<string> notes)
+        {
+            double[] deviations = fit.StandardDeviations(fit.JudgedSigmaPx), scales = Scales(fit.Camera.Pinhole);
+            string[] weak = Enumerable.Range(0, 4).Where(i => deviations[i] > UsableShare * scales[i])
+                .Select(i => FormattableString.Invariant($"{CameraParameters.NameOf(i)} to {deviations[i]:F0} px ({100 * deviations[i] / scales[i]:F1} %)")).ToArray();
+            if (weak.Length > 0)
+                notes.Add($"the views determine {string.Join(", ", weak)} only: take more views, tilted by 20° to 40° about both axes");
         }
 
         /// <summary>One bundle adjustment of one camera.</summary>

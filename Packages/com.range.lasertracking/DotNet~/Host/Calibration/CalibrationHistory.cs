@@ -74,24 +74,10 @@ namespace LaserTracking.Host.Calibration
                 return $"what is there is of another camera ({old.Kind} {old.ImageSize}, the new one {fresh.Kind} {fresh.ImageSize})";
             if (!fresh.IsWorseThan(old))
                 return null;
+            if (old.Kind == "screen")
+                return FormattableString.Invariant($"what is there is better ({old.HeldOut:F3} mm on held-out points, the new one {(fresh.HeldOut is double mm ? FormattableString.Invariant($"{mm:F3} mm") : "unproven")})");
             bool byHeldOut = old.HeldOut != null && fresh.HeldOut != null;
             return $"what is there is better ({old.Error(byHeldOut)}, the new one {fresh.Error(byHeldOut)})";
-        }
-
-        /// <summary>The same for a screen, whose file gives way to any other that is not worse, whatever the camera.</summary>
-        public static string? WhyScreenKept(string path, JObject calibration)
-        {
-            try
-            {
-                return path != "-" && File.Exists(path) && CalibrationRecord.Read(path) is { Kind: "screen" } old && CalibrationRecord.Of(calibration, path) is var fresh &&
-                    fresh.ImageSize == old.ImageSize && fresh.IsWorseThan(old)
-                    ? FormattableString.Invariant($"what is there is better ({old.HeldOut:F3} mm on held-out points, the new one {(fresh.HeldOut is double mm ? FormattableString.Invariant($"{mm:F3} mm") : "unproven")})")
-                    : null;
-            }
-            catch (InputException)
-            {
-                return null;
-            }
         }
 
         /// <summary>A table for each kind, in order of date, with the best and the trend below.</summary>

@@ -112,6 +112,8 @@ namespace LaserTracking.Host.Commands
                 using RenderedVideo? video = renderedName == null ? null : RenderedVideo.Open(renderedName, name, geometry!, interrupted, out problem);
                 IFrameSource screenFrames = FrameSources.OpenScreenCamera(name);
                 string? infraredProblem = null;
+                if (ownMapping != null)
+                    InfraredMappings.CheckSizes(ownMapping, mappingName!, screenFrames);
                 InfraredMapping? infraredMapping = ownMapping ?? InfraredMappings.Find(screenFrames, geometry, out infraredProblem);
                 using IFrameSource screenCamera = new PrefetchingFrameSource(screenFrames);
                 using IFrameSource? handCamera = handName == null ? null : new PrefetchingFrameSource(FrameSources.OpenHandCamera(handName, hands != null));

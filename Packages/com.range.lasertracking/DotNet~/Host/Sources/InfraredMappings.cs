@@ -34,6 +34,20 @@ namespace LaserTracking.Host.Sources
             LensCamera Camera(string name) => LensCameraJson.Parse(root[name] as JObject ?? throw new InputException(file, $"field {name} is missing", "name a file that " + Maker + " made"), file, name + ".");
         }
 
+        /// <summary>Refuses a mapping that was made for pictures of other sizes than a recording's.</summary>
+        /// <exception cref="InputException">It was; where the sizes stand the other way round, that is said.</exception>
+        public static void CheckSizes(InfraredMapping mapping, string file, IFrameSource source)
+        {
+            if (source is not KinectRecordingSource { Recording: { InfraredTrack: not null, ColorTrack: not null, Configuration: { } configuration } })
+                return;
+            (int width, int height) = KinectDepthModes.SizeOf(configuration.DepthMode);
+            if (mapping.IsFor(width, height, configuration.ColorWidth, configuration.ColorHeight))
+                return;
+            bool isExchanged = mapping.IsFor(configuration.ColorWidth, configuration.ColorHeight, width, height);
+            throw new InputException(file, FormattableString.Invariant($"this mapping is of other pictures than the recording's infrared {width}x{height} and colour {configuration.ColorWidth}x{configuration.ColorHeight}") + (isExchanged ? ": infrared and colour are exchanged in it" : string.Empty),
+                isExchanged ? "exchange \"infrared\" and \"color\" in the file of points and run 'range calibrate mapping' again" : "run 'range calibrate mapping' on pictures of these sizes");
+        }
+
         /// <summary>By the factory calibration in a recording; null without infrared, or with the reason why the calibration is of no use.</summary>
         /// <param name="source">Camera 0.</param>
         /// <param name="calibration">Where the screen lies; null: it faces the camera 2.5 m away.</param>

@@ -29,6 +29,7 @@ namespace LaserTracking.Host.Studies
             new MultiuserStudy(),
             new Calibration.ScreenCalibrationStudy(),
             new Calibration.BoardStudy(),
+            new Drift.DriftStudy(),
             new RemoteFloodStudy(),
             new SessionStudy(),
         };

@@ -10,17 +10,18 @@ namespace LaserTracking.Health
     internal sealed unsafe class BrightOutline
     {
         public const int Sides = 4;
-        private const int Scans = 22, Candidates = 3, Box = 4, LeastStep = 10, LeastSides = 3;
-        private const double OnLineBins = 1.3, LeastShare = 0.35, LeastCover = 0.75, MostSlope = 0.35, LeastWidthShare = 0.3, SameBins = 2, FarShare = 0.05;
+        private const int Scans = 22, Candidates = 3, Box = 4, LeastStep = 10, LeastSides = 3, LooksStill = 3;
+        private const double OnLineBins = 1.3, LeastShare = 0.35, LeastCover = 0.75, MostSlope = 0.35, LeastWidthShare = 0.3, SameBins = 2, StillBins = 0.5, FarShare = 0.05;
 
         private readonly double[,] _found = new double[Scans, Candidates];
         private readonly int[] _counts = new int[Scans];
         private readonly double[] _offset = new double[Sides], _slope = new double[Sides];
         private readonly bool[,] _isOn = new bool[Sides, Scans];
         private readonly bool[] _has = new bool[Sides];
-        private readonly double[] _restPlace = new double[Sides], _restSlope = new double[Sides];
+        private readonly double[] _restPlace = new double[Sides], _restSlope = new double[Sides], _middleBefore = new double[Sides];
         private readonly Vector2D[] _before = new Vector2D[Sides];
-        private bool _hasBefore;
+        private bool _hasBefore, _hasRest;
+        private readonly int[] _still = new int[Sides];
 
         /// <summary>Upper left, upper right, lower right, lower left, bins.</summary>
         public Vector2D[] Corners { get; } = new Vector2D[Sides];
@@ -28,7 +29,11 @@ namespace LaserTracking.Health
         /// <summary>An outline at rest was found to compare with.</summary>
         public bool IsKnown { get; private set; }
 
-        public void Reset() => _hasBefore = IsKnown = false;
+        public void Reset()
+        {
+            _hasBefore = _hasRest = IsKnown = false;
+            Array.Clear(_still, 0, Sides);
+        }
 
         /// <summary>Looks for one border: 0 left, 1 upper, 2 right, 3 lower.</summary>
         public void Look(BinPicture picture, int side)
@@ -40,27 +45,53 @@ namespace LaserTracking.Health
             _has[side] = TryLine(side, across);
         }
 
-        /// <summary>After four looks: whether the borders make an outline, and the same as the time before.</summary>
-        public bool TryFinish(BinPicture picture)
+        /// <summary>
+        /// After four looks: whether the borders make an outline that rests. In a view at rest it must be the same twice; where what it
+        /// encloses moves, it must lie still for longer, which proves that it is not a part of that.
+        /// </summary>
+        public bool TryFinish(BinPicture picture, bool isViewAtRest)
         {
-            bool isOutline = _has[0] && _has[1] && _has[2] && _has[3] && MakeCorners(picture), isSame = isOutline && _hasBefore;
+            bool isOutline = _has[0] && _has[1] && _has[2] && _has[3] && MakeCorners(picture);
+            bool isSame = isOutline && _hasBefore;
+            int still = 0;
             for (int i = 0; i < Sides; i++)
             {
                 isSame = isSame && (Corners[i] - _before[i]).Length < SameBins;
-                _before[i] = Corners[i];
+                _still[i] = _has[i] && Math.Abs(Middle(i) - _middleBefore[i]) < StillBins ? _still[i] + 1 : 0;
+                still += _still[i] >= LooksStill ? 1 : 0;
+                (_before[i], _middleBefore[i]) = (Corners[i], Middle(i));
             }
 
             _hasBefore = isOutline;
-            for (int side = 0; side < Sides && isSame; side++)
-                (_restPlace[side], _restSlope[side]) = (_offset[side] + _slope[side] * (Scans - 1) / 2, _slope[side]);
-            IsKnown |= isSame;
-            return isSame;
+            if (isOutline && !_hasRest)
+                Rest();
+            if (isViewAtRest ? !isSame : !isOutline || still < LeastSides)
+                return false;
+
+            // Where it was seen first remains the place to compare with: the camera may have moved or crept since.
+            bool isFirst = TryMeasure(picture, out Vector2D shift);
+            if (!isFirst && !isViewAtRest && still < Sides)
+                return false;
+            IsKnown = true;
+            if (isFirst)
+                return shift.Length < StillBins;
+            Rest();
+            return true;
+        }
+
+        private double Middle(int side) => _offset[side] + _slope[side] * (Scans - 1) / 2;
+
+        private void Rest()
+        {
+            _hasRest = true;
+            for (int side = 0; side < Sides; side++)
+                (_restPlace[side], _restSlope[side]) = (Middle(side), _slope[side]);
         }
 
         /// <summary>The borders to compare with, by corners in the order of <see cref="Corners"/>, bins.</summary>
         public void SetRest(BinPicture picture, Vector2D[] corners)
         {
-            IsKnown = true;
+            IsKnown = _hasRest = true;
             for (int side = 0; side < Sides; side++)
             {
                 Vector2D from = corners[(side + Sides - 1) % Sides], way = corners[side] - from;
@@ -76,9 +107,15 @@ namespace LaserTracking.Health
         public bool TryShift(BinPicture picture, out Vector2D shift)
         {
             shift = default;
+            return IsKnown && TryMeasure(picture, out shift);
+        }
+
+        private bool TryMeasure(BinPicture picture, out Vector2D shift)
+        {
+            shift = default;
             double xx = 0, xy = 0, yy = 0, bx = 0, by = 0;
             int count = 0;
-            for (int side = 0; side < Sides && IsKnown; side++)
+            for (int side = 0; side < Sides; side++)
             {
                 if (!TryMiss(picture, side, shift, out double went, out double x, out double y))
                     continue;
@@ -116,7 +153,7 @@ namespace LaserTracking.Health
         {
             double per = Per(picture, side);
             (x, y) = side % 2 == 0 ? (1.0, -per) : (-per, 1.0);
-            miss = _offset[side] + _slope[side] * (Scans - 1) / 2 - _restPlace[side] - x * shift.X - y * shift.Y;
+            miss = Middle(side) - _restPlace[side] - x * shift.X - y * shift.Y;
             return _has[side] && Math.Abs(_slope[side] - _restSlope[side]) * (Scans - 1) < 3 * OnLineBins;
         }
 

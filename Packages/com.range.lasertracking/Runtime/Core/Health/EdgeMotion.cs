@@ -29,6 +29,9 @@ namespace LaserTracking.Health
 
         public int BinPx => _profiles.BinPx;
 
+        /// <summary>Standard deviation of what the edges last agreed on, bins.</summary>
+        public double SigmaBins => _solver.SigmaBins;
+
         public bool TryLay(Vector2D[] outlinePx, int width, int height)
         {
             Array.Clear(_missed, 0, _missed.Length);
@@ -39,8 +42,22 @@ namespace LaserTracking.Health
             return isLaid;
         }
 
+        /// <summary>Takes what this frame shows for the reference, all of it at once: a camera that moves meanwhile would tear it. False when too few edges are to be seen.</summary>
+        public bool TryRefer(Image image)
+        {
+            int worth = 0;
+            for (int probe = 0; probe < EdgeProfiles.Probes; probe++)
+            {
+                _missed[probe] = 0;
+                _shifts[probe] = double.NaN;
+                worth += _profiles.TryFill(image, probe, true, _offset) && _profiles.IsWorth(probe) ? 1 : 0;
+            }
+
+            return worth >= EdgeShift.LeastProbes;
+        }
+
         /// <summary>Reads this frame's share of the probes.</summary>
-        public bool Look(Image image, int frame, int frames, bool isReference)
+        public void Look(Image image, int frame, int frames)
         {
             if (frame == 0)
                 _isRead = _isLost;
@@ -52,7 +69,7 @@ namespace LaserTracking.Health
 
             for (int probe = frame; probe < EdgeProfiles.Probes; probe += frames)
             {
-                bool renews = isReference || (_isAtRest && _missed[probe] >= LooksToRenew);
+                bool renews = _isAtRest && _missed[probe] >= LooksToRenew;
                 _shifts[probe] = double.NaN;
                 if (!_profiles.TryFill(image, probe, renews, _offset))
                     continue;
@@ -63,8 +80,6 @@ namespace LaserTracking.Health
                 else
                     _missed[probe]++;
             }
-
-            return true;
         }
 
         /// <summary>What the edges of the last look say together, bins; the largest displacement of any of them.</summary>

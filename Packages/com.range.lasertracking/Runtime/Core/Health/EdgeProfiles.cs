@@ -133,6 +133,9 @@ namespace LaserTracking.Health
             return true;
         }
 
+        /// <summary>The probe's reference shows an edge.</summary>
+        public bool IsWorth(int probe) => _isInPicture[probe] && SlopeMatch.IsWorth(Reference[probe], Reach, LeastSlope);
+
         /// <summary>Displacement outwards of a probe filled now against its reference, bins.</summary>
         public bool TryMatch(int probe, out double shift) => SlopeMatch.TryFind(Slopes[probe], Reference[probe], Reach, LeastSlope, out shift);
 

@@ -13,7 +13,9 @@ namespace LaserTracking.Health
 
         /// <summary>Bins within which edges agree, and how many must.</summary>
         private const double AgreeBins = 0.8, LeastAgreement = 0.6;
-        private const int LeastProbes = 8;
+
+        /// <summary>Edges without which nothing can be said.</summary>
+        public const int LeastProbes = 8;
 
         private readonly double[,] _normal = new double[Unknowns, Unknowns];
         private readonly double[] _solution = new double[Unknowns];
@@ -24,6 +26,9 @@ namespace LaserTracking.Health
 
         /// <summary>How far the edge moved where it moved furthest, bins.</summary>
         public double LargestBins { get; private set; }
+
+        /// <summary>Standard deviation of the largest displacement, from how far the edges that agree scatter, bins.</summary>
+        public double SigmaBins { get; private set; }
 
         /// <param name="profiles">The probes' places.</param>
         /// <param name="shifts">Displacements outwards, bins; NaN: not known.</param>
@@ -42,16 +47,18 @@ namespace LaserTracking.Health
                 Array.Clear(_normal, 0, _normal.Length);
                 double tolerance = round == 0 ? double.PositiveInfinity : AgreeBins * (Rounds - round);
                 known = used = 0;
-                double a = 0, b = 0, c = 0, d = 0;
+                double a = 0, b = 0, c = 0, d = 0, squares = 0;
                 for (int i = 0; i < shifts.Length; i++)
                 {
                     if (double.IsNaN(shifts[i]))
                         continue;
                     known++;
                     Fill(profiles, i, middle, radius);
-                    if (Math.Abs(Predicted() - shifts[i]) > tolerance)
+                    double miss = Predicted() - shifts[i];
+                    if (Math.Abs(miss) > tolerance)
                         continue;
                     used++;
+                    squares += miss * miss;
                     a += _row[0] * shifts[i];
                     b += _row[1] * shifts[i];
                     c += _row[2] * shifts[i];
@@ -68,6 +75,9 @@ namespace LaserTracking.Health
                     return false;
                 (_solution[0], _solution[1], _solution[2], _solution[3]) = (a, b, c, d);
                 Cholesky.Solve(_normal, _solution);
+
+                // An edge shows one axis: each is known from half of them, the turn at the corners from about a third.
+                SigmaBins = Math.Sqrt(squares / Math.Max(1, used - Unknowns)) * Math.Sqrt((2.0 + 2 + 3) / used);
             }
 
             Shift = new Vector2D(_solution[0], _solution[1]);

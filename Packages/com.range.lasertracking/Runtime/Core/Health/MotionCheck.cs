@@ -28,6 +28,9 @@ namespace LaserTracking.Health
 
         private const double StableBins = 0.3, RestingShare = 0.1;
 
+        /// <summary>Standard deviations below which a displacement is none, and within which two are the same.</summary>
+        private const double SureSigmas = 6, SameSigmas = 3;
+
         /// <summary>How much of the least displacement must be added to one that was said to be said again.</summary>
         private const double AgainFactor = 2;
 
@@ -41,6 +44,7 @@ namespace LaserTracking.Health
         private int _stable;
         private int _resting;
         private int _unanswered;
+        private int _beyond;
         private int _frame;
         private bool _hasReference;
         private bool _byEdges;
@@ -64,21 +68,26 @@ namespace LaserTracking.Health
             _frame = _stable = _resting = _unanswered = 0;
             _said = default;
             _sinceUs = long.MinValue;
-            _room.Reset();
         }
 
         public void Update(Image image, HealthWriter health)
         {
             if (_frame == 0 && !_hasReference)
                 _byEdges = _outlinePx.Length > 2 && _edges.TryLay(_outlinePx, image.Width, image.Height);
-            if (!(_byEdges ? _edges.Look(image, _frame, FramesALook, !_hasReference) : _room.Look(image, _frame, FramesALook)))
+            if (!_hasReference)
+            {
+                _hasReference = _byEdges ? _edges.TryRefer(image) : _room.TryRefer(image);
                 return;
+            }
+
+            if (_byEdges)
+                _edges.Look(image, _frame, FramesALook);
+            else
+                _room.Look(image, _frame, FramesALook);
             if (++_frame < FramesALook)
                 return;
             _frame = 0;
-            if (_hasReference || !_byEdges)
-                Judge(health);
-            _hasReference = true;
+            Judge(health);
         }
 
         private void Judge(HealthWriter health)
@@ -94,27 +103,32 @@ namespace LaserTracking.Health
             }
 
             _unanswered = 0;
-            _stable = (shift - _last).Length <= StableBins ? _stable + 1 : 0;
+            double sigma = _byEdges ? _edges.SigmaBins : 0, same = Math.Max(StableBins, SameSigmas * sigma);
+            _stable = (shift - _last).Length <= same ? _stable + 1 : 0;
             _last = shift;
 
             // Cells see a long way less exactly than edges do a short one.
-            _resting = (shift - _restingAt).Length <= Math.Max(StableBins, _byEdges ? 0 : RestingShare * shift.Length) ? _resting + 1 : 0;
+            _resting = (shift - _restingAt).Length <= Math.Max(same, _byEdges ? 0 : RestingShare * shift.Length) ? _resting + 1 : 0;
             if (_resting == 0)
                 _restingAt = shift;
             long now = health.TimeUs;
-            double least = _settings.ShiftPx * (_saidMoved ? AgainFactor : 1);
+            double least = Math.Max(_settings.ShiftPx * (_saidMoved ? AgainFactor : 1), SureSigmas * sigma);
             if (Math.Max(largest - _said.Length, (shift - _said).Length) < least)
             {
                 _sinceUs = long.MinValue;
+                _beyond = 0;
                 return;
             }
 
+            // What a moving texture does to a noisy edge does not last.
+            if (++_beyond < LooksToAgree)
+                _resting = Math.Min(_resting, LooksToAgree - 1);
             if (_sinceUs == long.MinValue || now < _sinceUs)
                 _sinceUs = now;
             bool isCamera = _byEdges || _room.IsCamera;
 
             // What has come to rest is said with its whole length; what creeps on is said in time.
-            bool isDue = _resting >= LooksToAgree || (isCamera ? _stable >= LooksToAgree && now - _sinceUs >= GrowingUs : now - _sinceUs >= ContinuingUs);
+            bool isDue = _resting >= LooksToAgree || (isCamera ? _stable >= 1 && _beyond >= LooksToAgree && now - _sinceUs >= GrowingUs : now - _sinceUs >= ContinuingUs);
             if (!isDue)
                 return;
             if (isCamera)

@@ -19,12 +19,15 @@ namespace LaserTracking.Health
         /// <summary>Cells of the room from which it is known, and that must have moved.</summary>
         private const int LeastRoom = 6, LeastMoved = 4, LeastSurvivors = 6, LeastStayed = 3;
 
+        /// <summary>Cells with something to see without which there is nothing to compare with.</summary>
+        private const int LeastToBegin = 5;
+
         private const double ChangedShare = 0.4, StayedShare = 0.04, SurvivedShare = 0.08, StillBins = 0.3;
 
         /// <summary>Looks after which a cell that looks otherwise is taken for content; for the room it may be somebody who stands there.</summary>
         private const int LooksOfContent = 5, LooksOfHidden = 150, CutsToSurvive = 2;
 
-        /// <summary>Once the room is known its outline is looked for no oftener.</summary>
+        /// <summary>Once the room is known its outline is looked for no oftener, unless it alone had an answer.</summary>
         private const int LooksAnOutline = 25;
 
         private readonly ViewCells _cells = new ViewCells();
@@ -46,36 +49,39 @@ namespace LaserTracking.Health
         private bool _isCut;
         private Vector2D _asked;
         private bool _hasOutline;
+        private bool _isByOutline;
 
         public int BinPx => _now.BinPx;
 
-        private bool IsOutlineDue => _room < LeastRoom || !_isAtRest || _looks % LooksAnOutline <= 1;
+        private bool IsOutlineDue => _room < LeastRoom || !_isAtRest || _isByOutline || _looks % LooksAnOutline <= 1;
 
         /// <summary>What was last said is the camera's displacement: the room itself moved, or rests.</summary>
         public bool IsCamera { get; private set; }
 
-        public void Reset()
+        /// <summary>
+        /// Takes what this frame shows for the picture to compare with, all of it at once: a camera that moves meanwhile would tear it.
+        /// False when the picture is too small or shows too little, as before a camera has found its exposure.
+        /// </summary>
+        public bool TryRefer(Image image)
         {
-            _looks = 0;
-            _expected = default;
-        }
-
-        /// <summary>Reads this frame's share of the next look and works on as much of the last; false when the picture is too small.</summary>
-        public bool Look(Image image, int frame, int frames)
-        {
-            bool isOther = _cells.Fit(image);
+            if (_cells.Fit(image))
+                _verdicts = new sbyte[_cells.Count];
             if (!_cells.IsLargeEnough)
                 return false;
+            _next.Fit(image);
             _now.Fit(image);
-            if (_next.Fit(image) || isOther)
-            {
-                _verdicts = new sbyte[_cells.Count];
-                _looks = 0;
-            }
+            _now.FillBand(image, 0, 1);
+            _cells.Forget();
+            _outline.Reset();
+            _looks = 0;
+            TakeAll();
+            return _chosenCount >= LeastToBegin;
+        }
 
+        /// <summary>Reads this frame's share of the next look and works on as much of the last.</summary>
+        public void Look(Image image, int frame, int frames)
+        {
             _next.FillBand(image, frame, frames);
-            if (_looks == 0)
-                return true;
             for (int row = frame; row < _cells.Rows; row += frames)
             for (int cell = row * _cells.Columns; cell < (row + 1) * _cells.Columns; cell++)
                 _cells.Compare(_now, cell);
@@ -85,22 +91,14 @@ namespace LaserTracking.Health
                 _hasOutline = IsOutlineDue;
             if (_hasOutline && frame < BrightOutline.Sides)
                 _outline.Look(_now, frame);
-            return true;
         }
 
         /// <summary>After a look's last frame: what the look before it says, bins. False when nothing can be said.</summary>
         public bool TryAgree(out Vector2D shift)
         {
-            shift = default;
-            bool isKnown = _looks > 0 && TryJudge(out shift);
+            bool isKnown = TryJudge(out shift);
             (_now, _next) = (_next, _now);
-            if (_looks++ == 0)
-            {
-                _cells.Forget();
-                _outline.Reset();
-                TakeAll();
-            }
-
+            _looks++;
             return isKnown;
         }
 
@@ -111,7 +109,7 @@ namespace LaserTracking.Health
         {
             for (int cell = 0; cell < _cells.Count && isContent; cell++)
             {
-                if (_cells.States[cell] < 0)
+                if (_cells.States[cell] < 0 && _cells.IsStructured(cell))
                     _cells.Kinds[cell] = CellKind.Content;
             }
 
@@ -140,16 +138,17 @@ namespace LaserTracking.Health
             IsCamera = _room >= LeastRoom;
             bool isKnown = _solver.TrySolve(_expected, out shift);
             Vector2D byOutline = default;
-            bool isByOutline = _hasOutline && _outline.TryShift(_now, out byOutline);
-            if (isByOutline && (!isKnown || (byOutline - shift).Length > LeastBins))
-                (isKnown, shift, IsCamera) = (true, byOutline, true);
+            bool isOutlined = _hasOutline && _outline.TryShift(_now, out byOutline);
+            _isByOutline = isOutlined && (!isKnown || (byOutline - shift).Length > LeastBins);
+            if (isOutlined && (_isByOutline || shift.Length >= LeastBins))
+                (isKnown, shift, IsCamera) = (true, _isByOutline ? byOutline : shift, true);
             else if (isKnown && shift.Length >= LeastBins)
                 isKnown = TryAsk(ref shift);
             _isAtRest = isKnown && shift.Length < LeastBins;
             if (_isAtRest || !isKnown)
                 Watch(isKnown);
             _expected = shift;
-            if (_isAtRest && _hasOutline)
+            if (_hasOutline && (_isAtRest || !_outline.IsKnown))
                 FindOutline();
             Choose();
             return isKnown;
@@ -256,14 +255,17 @@ namespace LaserTracking.Health
                 looks = LooksOfHidden;
             if (++_cells.Away[cell] < looks)
                 return;
-            _cells.Kinds[cell] = CellKind.Content;
+
+            // Where nothing was to be seen nothing has gone: the light may have come on.
+            if (_cells.IsStructured(cell))
+                _cells.Kinds[cell] = CellKind.Content;
             _cells.Survived[cell] = 0;
             _cells.Take(_now, cell);
         }
 
         private void FindOutline()
         {
-            if (!_outline.TryFinish(_now))
+            if (!_outline.TryFinish(_now, _isAtRest))
                 return;
             for (int side = 0; side < BrightOutline.Sides; side++)
             {

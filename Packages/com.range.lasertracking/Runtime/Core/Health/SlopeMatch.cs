@@ -20,9 +20,7 @@ namespace LaserTracking.Health
             if (now.Length != then.Length)
                 return false;
             int first = reach + 1, end = now.Length - reach - 1;
-            long energy = 0;
-            for (int i = first; i < end; i++)
-                energy += (long)then[i] * then[i];
+            long energy = Energy(then, first, end);
             if (energy < leastSlope * (end - first))
                 return false;
             double best = Fit(now, then, 0, first, end, energy), before = Fit(now, then, -1, first, end, energy), after = Fit(now, then, 1, first, end, energy), last = 0;
@@ -57,6 +55,21 @@ namespace LaserTracking.Health
             double bend = before - 2 * best + after;
             shift = at + (bend < 0 ? 0.5 * (before - after) / bend : 0);
             return true;
+        }
+
+        /// <summary>Whether a list has enough slope to be found again.</summary>
+        public static bool IsWorth(int[] then, int reach, long leastSlope)
+        {
+            int first = reach + 1, end = then.Length - reach - 1;
+            return Energy(then, first, end) >= leastSlope * (end - first);
+        }
+
+        private static long Energy(int[] then, int first, int end)
+        {
+            long energy = 0;
+            for (int i = first; i < end; i++)
+                energy += (long)then[i] * then[i];
+            return energy;
         }
 
         private static double Fit(int[] now, int[] then, int d, int first, int end, long energy)

@@ -58,29 +58,34 @@ namespace LaserTracking.Patterns
         /// <summary>Brightness less the mean of a wide neighbourhood, levels: black and white of an even pattern on either side of zero.</summary>
         public void Flatten(float[] difference)
         {
-            int reach = Math.Max(4, Width / 20), stride = Width + 1;
-            var integral = new double[stride * (Height + 1)];
+            // Sums of the rows near this one by column, then of the columns up to each: exact, for levels are multiples of 1/256.
+            int reach = Math.Max(4, Width / 20);
+            double[] columns = new double[Width], upTo = new double[Width + 1];
+            for (int y = 0; y < Math.Min(reach, Height); y++)
+                AddRow(columns, y, 1);
             for (int y = 0; y < Height; y++)
             {
-                double row = 0;
+                if (y + reach < Height)
+                    AddRow(columns, y + reach, 1);
+                if (y - reach - 1 >= 0)
+                    AddRow(columns, y - reach - 1, -1);
                 for (int x = 0; x < Width; x++)
-                {
-                    row += _sum[y * Width + x];
-                    integral[(y + 1) * stride + x + 1] = integral[y * stride + x + 1] + row;
-                }
-            }
-
-            for (int y = 0; y < Height; y++)
-            {
-                int top = Math.Max(0, y - reach) * stride, bottom = Math.Min(Height, y + reach + 1) * stride;
+                    upTo[x + 1] = upTo[x] + columns[x];
+                int rows = Math.Min(Height, y + reach + 1) - Math.Max(0, y - reach);
                 for (int x = 0; x < Width; x++)
                 {
                     int left = Math.Max(0, x - reach), right = Math.Min(Width, x + reach + 1);
-                    double sum = integral[bottom + right] - integral[bottom + left] - integral[top + right] + integral[top + left];
-                    double mean = sum / ((right - left) * (double)((bottom - top) / stride));
+                    double mean = (upTo[right] - upTo[left]) / ((right - left) * (double)rows);
                     difference[y * Width + x] = (float)((_sum[y * Width + x] - mean) / Frames);
                 }
             }
+        }
+
+        private void AddRow(double[] columns, int y, int sign)
+        {
+            ReadOnlySpan<float> row = _sum.AsSpan(y * Width, Width);
+            for (int x = 0; x < row.Length; x++)
+                columns[x] += sign * row[x];
         }
     }
 }

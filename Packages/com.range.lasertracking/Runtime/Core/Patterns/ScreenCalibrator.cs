@@ -13,11 +13,14 @@ namespace LaserTracking.Patterns
         /// <summary>The least number of points for a fit: what the published set-up measured by hand.</summary>
         public const int LeastPoints = 54;
 
-        /// <summary>Standard deviation of a measured coordinate before anything is known, px.</summary>
-        private const double ExpectedSigmaPx = 0.1;
+        /// <summary>Standard deviation of a measured coordinate before anything is known, px: a usual one, for the points themselves say more.</summary>
+        private const double ExpectedSigmaPx = 0.02;
 
-        /// <summary>What blur and uneven light displace the points of one part of the picture by together, px, sharp and by the blur: from simulated rooms 1 to 130 of the study.</summary>
-        private const double CommonSigmaPx = 0.01, CommonSigmaOfBlur = 0.0025;
+        /// <summary>
+        /// What displaces the points of one part of the picture together, px: a little always, and what uneven light does through the blur, which
+        /// grows with the blur's square. From simulated rooms 1 to 130 (those out of focus) and 301 to 370 of the study.
+        /// </summary>
+        private const double CommonSigmaPx = 0.001, CommonSigmaOfBlur2 = 0.0006;
 
         /// <summary>A point further off than this many standard deviations and pixels does not belong to the plane.</summary>
         private const double LeftOutSigmas = 5, LeftOutPx = 1;
@@ -148,7 +151,7 @@ namespace LaserTracking.Patterns
             foreach ((ScreenPoint point, _, _) in _points)
                 blurs.Add(point.BlurPx);
             blurs.Sort();
-            double ofBlur = CommonSigmaOfBlur * blurs[blurs.Count / 2];
+            double blur = blurs[blurs.Count / 2], ofBlur = CommonSigmaOfBlur2 * blur * blur;
             return Math.Sqrt(CommonSigmaPx * CommonSigmaPx + ofBlur * ofBlur);
         }
 

@@ -7,6 +7,7 @@ namespace LaserTracking.Detection
     /// <summary>Draws small test pictures: a wall with noise, laser dots as light added before the sensor clips, shapes. Seeded.</summary>
     internal sealed unsafe class FrameBuilder
     {
+        private static readonly float[] Normals = NormalTable();
         private readonly float[] _light;
         private uint _random = 12345;
 
@@ -120,15 +121,24 @@ namespace LaserTracking.Detection
         private void WritePixel(Image image, int x, int y)
         {
             int i = 3 * (y * Width + x);
+            if (image.Format == PixelFormat.Gray8)
+            {
+                image.Pixels[((long)y * image.Stride) + x] = (byte)Clip(0.114 * _light[i] + 0.587 * _light[i + 1] + 0.299 * _light[i + 2] + GrayNoise());
+                return;
+            }
+
             int blue = Clip(_light[i] + Noise()), green = Clip(_light[i + 1] + Noise()), red = Clip(_light[i + 2] + Noise());
+            if (image.Format == PixelFormat.Bgra32)
+            {
+                ((uint*)(image.Pixels + (long)y * image.Stride))[x] = PixelRow.Pack(blue, green, red);
+                return;
+            }
+
             double luma = 0.299 * red + 0.587 * green + 0.114 * blue;
             byte u = (byte)Clip(128 + (blue - luma) / 1.772), v = (byte)Clip(128 + (red - luma) / 1.402);
             byte* row = image.Pixels + (long)y * image.Stride;
             switch (image.Format)
             {
-                case PixelFormat.Bgra32:
-                    ((uint*)row)[x] = PixelRow.Pack(blue, green, red);
-                    break;
                 case PixelFormat.Nv12:
                     row[x] = (byte)Clip(luma);
                     byte* chroma = image.Pixels + (long)(Height + y / 2) * image.Stride;
@@ -140,9 +150,6 @@ namespace LaserTracking.Detection
                     Blend(row + 4 * (x / 2) + 1, u, x % 2 == 0);
                     Blend(row + 4 * (x / 2) + 3, v, x % 2 == 0);
                     break;
-                default:
-                    row[x] = (byte)Clip(luma);
-                    break;
             }
         }
 
@@ -151,21 +158,35 @@ namespace LaserTracking.Detection
 
         private static int Clip(double value) => value < 0 ? 0 : value > 255 ? 255 : (int)(value + 0.5);
 
-        /// <summary>Sum of four uniform numbers: near enough to a normal one.</summary>
-        private double Noise()
+        private double Noise() => NoiseSigma <= 0 ? 0 : NoiseSigma * Normal(ref _random);
+
+        /// <summary>The same from a table, for long plays of grey pictures.</summary>
+        private float GrayNoise() => NoiseSigma <= 0 ? 0 : (float)NoiseSigma * Normals[Next(ref _random) >> 20];
+
+        private static float[] NormalTable()
         {
-            if (NoiseSigma <= 0)
-                return 0;
+            uint random = 54321;
+            var table = new float[4096];
+            for (int i = 0; i < table.Length; i++)
+                table[i] = (float)Normal(ref random);
+            return table;
+        }
+
+        /// <summary>Sum of four uniform numbers: near enough to a normal one.</summary>
+        private static double Normal(ref uint random)
+        {
             double sum = -2;
             for (int i = 0; i < 4; i++)
-            {
-                _random ^= _random << 13;
-                _random ^= _random >> 17;
-                _random ^= _random << 5;
-                sum += _random / 4294967296.0;
-            }
+                sum += Next(ref random) / 4294967296.0;
+            return sum * 1.7320508;
+        }
 
-            return sum * 1.7320508 * NoiseSigma;
+        private static uint Next(ref uint random)
+        {
+            random ^= random << 13;
+            random ^= random >> 17;
+            random ^= random << 5;
+            return random;
         }
     }
 }

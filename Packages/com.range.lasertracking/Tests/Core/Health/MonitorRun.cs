@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using LaserTracking.Capture;
 using LaserTracking.Detection;
+using LaserTracking.Imaging;
 using LaserTracking.Session;
 using LaserTracking.Simulation;
 
@@ -13,9 +14,11 @@ namespace LaserTracking.Health
     {
         private readonly SessionRecorder _recorder = new SessionRecorder();
         private readonly Frame _frame = new Frame();
+        private readonly PixelFormat _format;
 
-        public MonitorRun(PictureMonitorSettings? settings = null, int framesPerSecond = 30)
+        public MonitorRun(PictureMonitorSettings? settings = null, int framesPerSecond = 30, PixelFormat format = PixelFormat.Bgra32)
         {
+            _format = format;
             Monitor = new PictureMonitor(_recorder, settings);
             IntervalUs = 1_000_000 / framesPerSecond;
         }
@@ -36,7 +39,7 @@ namespace LaserTracking.Health
             for (int i = first; i < first + count; i++)
             {
                 draw(Builder, i);
-                Builder.Write(_frame, i, i * IntervalUs);
+                Builder.Write(_frame, i, i * IntervalUs, _format);
                 Monitor.Process(_frame);
             }
 

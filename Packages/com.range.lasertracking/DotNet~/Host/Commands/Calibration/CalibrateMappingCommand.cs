@@ -64,6 +64,8 @@ namespace LaserTracking.Host.Commands
 
             if (heldOut.Count == 0)
                 Console.Error.WriteLine($"range: {common.Length} points are too few to hold half of them out: nothing proves this mapping");
+            if ((long)infrared.Pinhole.Width * infrared.Pinhole.Height > (long)color.Pinhole.Width * color.Pinhole.Height)
+                Console.Error.WriteLine(FormattableString.Invariant($"range: {file}: infrared is the larger picture ({infrared.Pinhole.Width}x{infrared.Pinhole.Height}, color {color.Pinhole.Width}x{color.Pinhole.Height}): are the two exchanged?"));
             using var written = new ResultFile(target);
             written.Stream.Write(Encoding.UTF8.GetBytes(result.ToString().ReplaceLineEndings("\n") + "\n"));
             written.Commit();

@@ -66,7 +66,7 @@ namespace LaserTracking.Host.Commands
                 byte[] bytes = Encoding.UTF8.GetBytes(content.ToString().ReplaceLineEndings("\n") + "\n");
                 if (folder != null)
                     CalibrationHistory.Keep(folder, content, bytes);
-                if (!parsed.GetValue(replace) && CalibrationHistory.WhyScreenKept(target!, content) is string better)
+                if (!parsed.GetValue(replace) && CalibrationHistory.WhyKept(target!, content) is string better)
                 {
                     Console.Error.WriteLine($"range: {target}: {better}; it stays: --replace puts the new one in its place, --out FILE beside it");
                     return System.Threading.Tasks.Task.FromResult(ExitCodes.CheckFailed);

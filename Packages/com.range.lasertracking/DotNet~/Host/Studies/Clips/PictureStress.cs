@@ -69,6 +69,13 @@ namespace LaserTracking.Host.Studies.Clips
         {
             var random = new Random(1000 + frame);
             int dx = random.Next(-pixels, pixels + 1), dy = random.Next(-pixels, pixels + 1);
+            Displace(source, target, dx, dy);
+            return new Vector2D(dx, dy);
+        }
+
+        /// <summary>By whole pixels; what comes into view repeats the border.</summary>
+        public static void Displace(Image source, Image target, int dx, int dy)
+        {
             for (int y = 0; y < target.Height; y++)
             {
                 uint* from = (uint*)(source.Pixels + Math.Clamp(y - dy, 0, source.Height - 1) * (long)source.Stride);
@@ -76,8 +83,6 @@ namespace LaserTracking.Host.Studies.Clips
                 for (int x = 0; x < target.Width; x++)
                     to[x] = from[Math.Clamp(x - dx, 0, source.Width - 1)];
             }
-
-            return new Vector2D(dx, dy);
         }
 
         /// <summary>Fractions of a pixel, by linear interpolation.</summary>
