@@ -21,7 +21,9 @@ namespace LaserTracking.Fusion
 
             /// <summary>Where the eyes were when shots were learned from; the farther off now, the less those count.</summary>
             public Vector3D LearnedAtM;
-            public double SigmaM;
+
+            /// <summary>1 / σ² of that along each axis of screen space.</summary>
+            public Vector3D Prior;
             public double ReachM;
 
             /// <summary>Of shots that are weighed no more, and of those that still are.</summary>
@@ -65,8 +67,9 @@ namespace LaserTracking.Fusion
             }
 
             _entries[at].SeenUs = timeUs;
-            _entries[at].EyeM = camera.ToScreenM(person.EyeMm);
-            _entries[at].SigmaM = person.SigmaMm * Axes.MetresPerMillimetre;
+            _entries[at].EyeM = camera.ToScreenM(person.EyeMm) + new Vector3D(0, _settings.SightHeightM, 0);
+            double beside = person.SigmaMm * Axes.MetresPerMillimetre, height = person.HeightSigmaMm * Axes.MetresPerMillimetre;
+            _entries[at].Prior = new Vector3D(1 / (beside * beside), 1 / (height * height), 1 / (beside * beside));
         }
 
         public bool TryEyes(int personId, out Vector3D eyesM)
@@ -85,16 +88,16 @@ namespace LaserTracking.Fusion
             if (at < 0)
                 return false;
             ref readonly Entry e = ref _entries[at];
-            double prior = 1 / (e.SigmaM * e.SigmaM);
+            Vector3D prior = e.Prior;
             SightEvidence known = e.Recent;
             known.Add(e.Old, StillShare(e));
-            Vector3D a = known.Diagonal + new Vector3D(prior, prior, prior);
+            Vector3D a = known.Diagonal + prior;
             // Inverse of a symmetric 3×3: its adjugate over its determinant.
             double xy = known.Mixed.X, xz = known.Mixed.Y, yz = known.Mixed.Z;
             double cxx = a.Y * a.Z - yz * yz, cyy = a.X * a.Z - xz * xz, czz = a.X * a.Y - xy * xy;
             double cxy = xz * yz - xy * a.Z, cxz = xy * yz - xz * a.Y, cyz = xy * xz - yz * a.X;
             double determinant = a.X * cxx + xy * cxy + xz * cxz;
-            Vector3D w = known.Weighted + e.EyeM * prior, u = towards.Normalized;
+            Vector3D w = known.Weighted + new Vector3D(e.EyeM.X * prior.X, e.EyeM.Y * prior.Y, e.EyeM.Z * prior.Z), u = towards.Normalized;
             var sum = new Vector3D(cxx * w.X + cxy * w.Y + cxz * w.Z, cxy * w.X + cyy * w.Y + cyz * w.Z, cxz * w.X + cyz * w.Y + czz * w.Z);
             pivotM = sum * (1 / determinant);
             double along = cxx * u.X * u.X + cyy * u.Y * u.Y + czz * u.Z * u.Z + 2 * (cxy * u.X * u.Y + cxz * u.X * u.Z + cyz * u.Y * u.Z);
