@@ -199,11 +199,11 @@ namespace LaserTracking.Fusion
         private bool TryDensity(in Line line, Vector3D dotM, out double density, out double core)
         {
             density = core = 0;
-            if (!_sights.TrySight(line.PersonId, line.MuzzleM, line.MuzzleSigmaM, out Vector3D sight, out double sigma))
-                return false;
             Vector3D v = dotM - line.MuzzleM;
             double lever = line.MuzzleSigmaM / Math.Max(0.1, v.Length);
-            density = ShotHandPairing.SightDensity(ShotHandPairing.AngleRad(sight, v), sigma * sigma + lever * lever, _settings, out core);
+            if (!_sights.TryMatch(line.PersonId, line.MuzzleM, line.MuzzleSigmaM, v, lever * lever, out double error, out double sigma))
+                return false;
+            density = ShotHandPairing.SightDensity(error, sigma * sigma, _settings, out core);
             return true;
         }
     }

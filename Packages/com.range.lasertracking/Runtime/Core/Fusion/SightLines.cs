@@ -87,22 +87,44 @@ namespace LaserTracking.Fusion
             int at = IndexOf(personId);
             if (at < 0)
                 return false;
-            ref readonly Entry e = ref _entries[at];
-            Vector3D prior = e.Prior;
+            SightPivot pivot = Pivot(_entries[at]);
+            pivotM = pivot.PlaceM;
+            sigmaM = Math.Sqrt(0.5 * pivot.VarianceAcross(towards.Normalized));
+            reachM = _entries[at].ReachM;
+            return true;
+        }
+
+        private static SightPivot Pivot(in Entry e)
+        {
             SightEvidence known = e.Recent;
             known.Add(e.Old, StillShare(e));
-            Vector3D a = known.Diagonal + prior;
-            // Inverse of a symmetric 3×3: its adjugate over its determinant.
-            double xy = known.Mixed.X, xz = known.Mixed.Y, yz = known.Mixed.Z;
-            double cxx = a.Y * a.Z - yz * yz, cyy = a.X * a.Z - xz * xz, czz = a.X * a.Y - xy * xy;
-            double cxy = xz * yz - xy * a.Z, cxz = xy * yz - xz * a.Y, cyz = xy * xz - yz * a.X;
-            double determinant = a.X * cxx + xy * cxy + xz * cxz;
-            Vector3D w = known.Weighted + new Vector3D(e.EyeM.X * prior.X, e.EyeM.Y * prior.Y, e.EyeM.Z * prior.Z), u = towards.Normalized;
-            var sum = new Vector3D(cxx * w.X + cxy * w.Y + cxz * w.Z, cxy * w.X + cyy * w.Y + cyz * w.Z, cxz * w.X + cyz * w.Y + czz * w.Z);
-            pivotM = sum * (1 / determinant);
-            double along = cxx * u.X * u.X + cyy * u.Y * u.Y + czz * u.Z * u.Z + 2 * (cxy * u.X * u.Y + cxz * u.X * u.Z + cyz * u.Y * u.Z);
-            sigmaM = Math.Sqrt(Math.Max(0, (cxx + cyy + czz - along) / (2 * determinant)));
-            reachM = e.ReachM;
+            return SightPivot.Of(known, e.EyeM, e.Prior);
+        }
+
+        /// <summary>
+        /// How far beside the line of sight over a muzzle a direction is, as an angle and a standard deviation that give the density of the
+        /// true error, which is wider sideways and where no shot has shown the line yet. The other variance (about one axis, square radians) is added. False for an unknown person.
+        /// </summary>
+        public bool TryMatch(int personId, Vector3D muzzleM, double muzzleSigmaM, Vector3D direction, double otherVariance, out double errorRad, out double sigmaRad)
+        {
+            errorRad = sigmaRad = 0;
+            int at = IndexOf(personId);
+            if (at < 0)
+                return false;
+            ref readonly Entry e = ref _entries[at];
+            SightPivot pivot = Pivot(e);
+            Vector3D sight = muzzleM - pivot.PlaceM;
+            double reach = Math.Max(0.1, sight.Length), even = SpreadScale(e) * Expected(muzzleSigmaM, reach) + otherVariance;
+            Vector3D s = sight.Normalized, turn = Vector3D.Cross(s, direction);
+            double perSquare = 1 / (reach * reach);
+            double determinant = pivot.DeterminantAcross(s) * perSquare * perSquare + even * (pivot.VarianceAcross(s) * perSquare + even);
+            double variance = Math.Sqrt(determinant), size = turn.Length;
+            sigmaRad = Math.Sqrt(variance);
+            if (!(size > 0))
+                return true;
+            // At right angles to the error: of a narrow ellipse the long axis lets an error across it count more.
+            double besideError = pivot.VarianceAlong(turn * (1 / size)) * perSquare + even;
+            errorRad = Math.Atan2(size, Vector3D.Dot(s, direction)) * Math.Sqrt(besideError / variance);
             return true;
         }
 

@@ -40,7 +40,7 @@ namespace LaserTracking.Hands
         /// A weapon that lies so far off the axis given is not its person's: arms that cross are given to the wrong eyes, 0.4 rad and more off. One
         /// frame measures it to 0.1.
         /// </summary>
-        private const double TurnedRad = 0.22;
+        private const double TurnedRad = 0.3;
 
         /// <summary>Holds back the slope of few pixels: as much spread as 10 mm along the axis give.</summary>
         private const double SlopePriorMm2 = 100;
