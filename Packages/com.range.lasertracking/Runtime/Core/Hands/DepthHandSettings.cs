@@ -75,7 +75,7 @@ namespace LaserTracking.Hands
         /// Standard deviation between the eyes as found and the point over which the weapon is aimed, along one axis: posture, the
         /// shape of the head and hair.
         /// </summary>
-        public double EyeSigmaMm { get; set; } = 60;
+        public double EyeSigmaMm { get; set; } = 45;
 
         /// <summary>The same of the height alone: crown to eyes, hair and caps.</summary>
         public double EyeHeightSigmaMm { get; set; } = 25;
