@@ -68,7 +68,7 @@ namespace LaserTracking.Fusion
 
             _entries[at].SeenUs = timeUs;
             _entries[at].EyeM = camera.ToScreenM(person.EyeMm) + new Vector3D(0, _settings.SightHeightM, 0);
-            double beside = person.SigmaMm * Axes.MetresPerMillimetre, height = person.HeightSigmaMm * Axes.MetresPerMillimetre;
+            double beside = person.SigmaMm * Axes.MetresPerMillimetre, height = person.HeightSigmaMm > 0 ? person.HeightSigmaMm * Axes.MetresPerMillimetre : beside;
             _entries[at].Prior = new Vector3D(1 / (beside * beside), 1 / (height * height), 1 / (beside * beside));
         }
 
