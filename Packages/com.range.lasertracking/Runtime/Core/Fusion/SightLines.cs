@@ -182,6 +182,14 @@ namespace LaserTracking.Fusion
             e.Old.Add(evidence, 1);
         }
 
+        /// <summary>What lines fired long ago told is no more believed.</summary>
+        public void Forget(int personId)
+        {
+            int at = IndexOf(personId);
+            if (at >= 0)
+                _entries[at].Old = default;
+        }
+
         /// <summary>Notes how far from the eyes a muzzle was that fired.</summary>
         public void NoteReach(int personId, Vector3D muzzleM, double probability)
         {
