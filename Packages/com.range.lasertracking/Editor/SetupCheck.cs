@@ -9,7 +9,9 @@ namespace LaserTracking.Editor
         /// <summary>In the order in which one sets a range up.</summary>
         public static IReadOnlyList<SetupLine> Check(SetupFacts facts)
         {
-            var lines = new List<SetupLine> { Range(facts) };
+            // First of all: until it compiles, nothing else that is done takes effect.
+            List<SetupLine> lines = facts.LibraryProblems.Select(problem => new SetupLine("libraries", SetupState.Missing, problem)).ToList();
+            lines.Add(Range(facts));
             if (facts.Ranges > 0)
             {
                 lines.Add(Source(facts));

@@ -33,6 +33,9 @@ namespace LaserTracking.Editor
         /// <summary>Names of targets that no shot can hit, for want of a collider.</summary>
         public string[] TargetsWithoutCollider { get; set; } = Array.Empty<string>();
 
+        /// <summary>Symbols that are set without their library, one line each: nothing compiles.</summary>
+        public string[] LibraryProblems { get; set; } = Array.Empty<string>();
+
         public bool IsKinectAwake { get; set; }
 
         public bool IsOpenCvAwake { get; set; }
@@ -50,6 +53,7 @@ namespace LaserTracking.Editor
                 Ranges = ranges.Length,
                 Targets = targets.Length,
                 TargetsWithoutCollider = targets.Where(target => target.GetComponentsInChildren<Collider>(true).Length == 0).Select(target => target.name).ToArray(),
+                LibraryProblems = LibraryWatch.Problems().ToArray(),
                 IsKinectAwake = IsAwake("Range.LaserTracking.Kinect"),
                 IsOpenCvAwake = IsAwake("Range.LaserTracking.OpenCv"),
                 IsMathNetAwake = IsAwake("Range.LaserTracking.Calibration"),

@@ -161,10 +161,146 @@ namespace LaserTracking.Burst
             kernels.Run(&work, work.BandCount);
         }
 
+        public static void Patch(KernelRunner kernels, Arena data, Arena scratch, Random random)
+        {
+            const int Window = PatchKernel.Window;
+            int factor = random.Next(1, 3), width = random.Next(3 * Window, 4 * Window), height = random.Next(3 * Window, 4 * Window);
+            using Image image = RandomImage(random, Formats[random.Next(4)], factor * width - random.Next(factor), factor * height - random.Next(factor));
+            var work = new PatchBands
+            {
+                Source = image,
+                Width = width,
+                Height = height,
+                Factor = factor,
+                Patches = data.Take<byte>(PatchBands.Count * PatchBands.Area),
+                Columns = data.Take<int>(PatchBands.Count * Window),
+                Rows = data.Take<int>(PatchBands.Count * Window),
+            };
+            kernels.Run(&work, PatchBands.Count);
+        }
+
+        public static void PatchMatch(KernelRunner kernels, Arena data, Arena scratch, Random random)
+        {
+            const int Window = PatchKernel.Window, Size = PatchKernel.Size;
+            int shift = random.Next(-4, 5);
+            var work = new PatchMatchBands
+            {
+                Gain = 0.5 + random.NextDouble(),
+                Noise = random.NextDouble(),
+                Columns = data.Indices(PatchBands.Count * Window, Size * 255),
+                Rows = data.Indices(PatchBands.Count * Window, Size * 255),
+                ColumnReference = data.Floats(PatchBands.Count * Size, -4000, 4000),
+                RowReference = data.Floats(PatchBands.Count * Size, -4000, 4000),
+                ShiftX = data.Zeros<double>(PatchBands.Count),
+                ShiftY = data.Zeros<double>(PatchBands.Count),
+            };
+            // Every other patch has gone somewhere; of the rest there is no telling.
+            for (int patch = 0; patch < PatchBands.Count; patch += 2)
+            {
+                for (int i = 0; i < Size; i++)
+                    work.RowReference[patch * Size + i] = (float)(PatchKernel.Slope(work.Rows + patch * Window, i + PatchKernel.Reach + shift) / work.Gain) + random.Next(200);
+            }
+
+            kernels.Run(&work, PatchBands.Count);
+        }
+
+        public static void Ratio(KernelRunner kernels, Arena data, Arena scratch, Random random)
+        {
+            int length = random.Next(1, 20_000), bands = kernels.BandCount;
+            ulong* reciprocals = data.Zeros<ulong>(256);
+            for (int i = 1; i < 256; i++)
+                reciprocals[i] = ((1UL << 32) + (ulong)i - 1) / (ulong)i;
+            bool isCounting = random.Next(2) == 1;
+            int* ratios = scratch.Zeros<int>(256 * bands);
+            long* sums = scratch.Zeros<long>(3 * bands);
+            var work = new RatioBands
+            {
+                Now = data.Take<byte>(length),
+                Before = data.Take<byte>(length),
+                Length = length,
+                BandCount = bands,
+                Middle = isCounting ? -1 : random.Next(20, 120),
+                Width = random.Next(2, 30),
+                Reciprocals = reciprocals,
+                Ratios = ratios,
+                Sums = sums,
+            };
+            kernels.Run(&work, bands);
+            AddUp(ratios, data.Zeros<int>(256), 256, bands);
+            long* total = data.Zeros<long>(3);
+            for (int i = 0; i < 3 * bands; i++)
+                total[i % 3] += sums[i];
+        }
+
+        public static void Histogram(KernelRunner kernels, Arena data, Arena scratch, Random random)
+        {
+            int bands = kernels.BandCount, width = random.Next(1, 150), height = random.Next(1, 120);
+            int* histograms = scratch.Zeros<int>(HistogramBands.Levels * bands);
+            var work = new HistogramBands
+            {
+                View = View(data, random, width, height),
+                IsOfChange = random.Next(2) == 1,
+                Step = random.Next(1, 12),
+                BandCount = bands,
+                Histograms = histograms,
+            };
+            kernels.Run(&work, bands);
+            AddUp(histograms, data.Zeros<int>(HistogramBands.Levels), HistogramBands.Levels, bands);
+        }
+
+        public static void Rescale(KernelRunner kernels, Arena data, Arena scratch, Random random)
+        {
+            int width = random.Next(1, 150), height = random.Next(1, 120), pixels = width * height;
+            var work = new RescaleBands { Width = width, Table = data.Take<byte>(256), Smallest = data.Take<byte>(pixels), Largest = data.Take<byte>(pixels), Picture = data.Take<uint>(pixels) };
+            kernels.Run(&work, height);
+        }
+
+        public static void Rise(KernelRunner kernels, Arena data, Arena scratch, Random random)
+        {
+            int width = random.Next(1, 150), height = random.Next(1, 120), columns = TileGrid.Count(width), tiles = random.Next(2, 40);
+            var work = new RiseBands
+            {
+                View = View(data, random, width, height),
+                Plane = (DetectionPlane)random.Next(2),
+                TileColumns = columns,
+                Tiles = data.Indices(tiles, columns * TileGrid.Count(height)),
+                Rises = data.Zeros<byte>(tiles * TileGrid.Size * TileGrid.Size),
+            };
+            kernels.Run(&work, tiles);
+        }
+
+        private static FrameView View(Arena data, Random random, int width, int height)
+        {
+            int* reciprocal = data.Take<int>(256);
+            for (int headroom = 0; headroom < 256; headroom++)
+                reciprocal[headroom] = 255 * 256 / (headroom + 8);
+            return new FrameView
+            {
+                Width = width,
+                Height = height,
+                IsBetweenPixels = random.Next(2) == 1,
+                Now = data.Take<uint>(width * height),
+                Before = data.Take<uint>(width * height),
+                OldSmallest = data.Take<byte>(width * height),
+                OldLargest = data.Take<byte>(width * height),
+                Reciprocal = reciprocal,
+            };
+        }
+
+        private static void AddUp(int* bands, int* total, int length, int count)
+        {
+            for (int i = 0; i < length * count; i++)
+                total[i % length] += bands[i];
+        }
+
         /// <summary>Random pixels in rows that may be padded; sizes as odd as the format can have them.</summary>
         internal static Image RandomImage(Random random, PixelFormat format)
         {
-            int width = random.Next(1, 161), height = random.Next(1, 121);
+            return RandomImage(random, format, random.Next(1, 161), random.Next(1, 121));
+        }
+
+        private static Image RandomImage(Random random, PixelFormat format, int width, int height)
+        {
             width += format == PixelFormat.Nv12 || format == PixelFormat.Yuy2 ? width % 2 : 0;
             height += format == PixelFormat.Nv12 ? height % 2 : 0;
             var image = new Image();

@@ -61,6 +61,86 @@ namespace LaserTracking.Burst
             kernels.Run(&work, isRows ? height : width);
         }
 
+        public static void DepthLevel(KernelRunner kernels, Arena data, Arena scratch, Random random)
+        {
+            int width = random.Next(1, 120), height = random.Next(2, 90), cells = width * height;
+            var work = new DepthLevelBands { Width = width, Z = data.Floats(cells, -500, 500), Levels = data.Take<byte>(cells), Before = data.Take<float>(cells) };
+            kernels.Run(&work, height);
+        }
+
+        public static void Surface(KernelRunner kernels, Arena data, Arena scratch, Random random)
+        {
+            int width = random.Next(1, 100), height = random.Next(1, 80), cells = width * height;
+            bool isListed = random.Next(2) == 1;
+            var work = new SurfaceBands
+            {
+                Width = width,
+                Height = height,
+                StepMm = random.Next(1, 60),
+                Level = 2,
+                Seeds = isListed ? data.Indices(cells, cells) : null,
+                SeedCount = cells,
+                Z = data.Floats(cells, 2000, 2060),
+                RayX = data.Floats(width, -1, 1),
+                Before = data.Floats(cells, 0, 800),
+                Levels = Levels(data, random, cells),
+                Cells = data.Take<int>(cells),
+            };
+            double* known = data.Zeros<double>(5 * cells);
+            for (int surface = 0; surface < cells; surface++)
+            {
+                kernels.Run(&work, 1);
+                if (work.Count == 0)
+                    break;
+                new Span<double>(known + 5 * surface, 5).Clear();
+                known[5 * surface] = work.Count;
+                known[5 * surface + 1] = work.Area;
+                known[5 * surface + 2] = work.SumX;
+                known[5 * surface + 3] = work.NearestMm;
+                known[5 * surface + 4] = work.ReachMm;
+            }
+        }
+
+        public static void Torso(KernelRunner kernels, Arena data, Arena scratch, Random random)
+        {
+            int width = random.Next(1, 100), height = random.Next(1, 80), cells = width * height, count = random.Next(1, cells + 1), first = random.Next(cells - count + 1);
+            int* list = data.Take<int>(count);
+            for (int i = 0; i < count; i++)
+                list[i] = first + i;
+            TorsoColumn* columns = data.Zeros<TorsoColumn>(TorsoKernel.ColumnBins);
+            for (int i = 0; i < TorsoKernel.ColumnBins; i++)
+                columns[i].Top = float.MaxValue;
+            double* slope = data.Take<double>(1);
+            var work = new TorsoBands
+            {
+                Width = width,
+                Z = data.Floats(cells, 900, 3900),
+                RayX = data.Floats(width, -1, 1),
+                RayY = data.Floats(height, -0.7f, 0.7f),
+                Cells = list,
+                CellCount = count,
+                Reach = random.Next(1, 9),
+                DepthBinMm = 30,
+                Columns = columns,
+                Histogram = data.Take<int>(TorsoKernel.ColumnBins * TorsoKernel.DepthBins),
+                Window = data.Take<int>(TorsoKernel.DepthBins),
+                ForwardMm = 120,
+                NextLevel = 2,
+                Levels = Levels(data, random, cells),
+                Before = data.Take<float>(cells),
+            };
+            kernels.Run(&work, 1);
+            *slope = work.Slope;
+        }
+
+        private static byte* Levels(Arena data, Random random, int cells)
+        {
+            byte* levels = data.Take<byte>(cells);
+            for (int i = 0; i < cells; i++)
+                levels[i] = (byte)(random.Next(5) == 0 ? 1 : 2);
+            return levels;
+        }
+
         public static void Crop(KernelRunner kernels, Arena data, Arena scratch, Random random)
         {
             using Image image = DetectionCases.RandomImage(random, Formats[random.Next(5)]);

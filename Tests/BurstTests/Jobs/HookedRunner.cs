@@ -26,6 +26,18 @@ namespace LaserTracking.Burst
 
         internal override void Run(PaperBands* work, int count) => _hook(() => _inner.Run(work, count));
 
+        internal override void Run(PatchBands* work, int count) => _hook(() => _inner.Run(work, count));
+
+        internal override void Run(PatchMatchBands* work, int count) => _hook(() => _inner.Run(work, count));
+
+        internal override void Run(RatioBands* work, int count) => _hook(() => _inner.Run(work, count));
+
+        internal override void Run(HistogramBands* work, int count) => _hook(() => _inner.Run(work, count));
+
+        internal override void Run(RescaleBands* work, int count) => _hook(() => _inner.Run(work, count));
+
+        internal override void Run(RiseBands* work, int count) => _hook(() => _inner.Run(work, count));
+
         internal override void Run(RaiseBands* work, int count) => _hook(() => _inner.Run(work, count));
 
         internal override void Run(ExpectationBands* work, int count) => _hook(() => _inner.Run(work, count));
@@ -39,6 +51,12 @@ namespace LaserTracking.Burst
         internal override void Run(DepthGridBands* work, int count) => _hook(() => _inner.Run(work, count));
 
         internal override void Run(BridgeBands* work, int count) => _hook(() => _inner.Run(work, count));
+
+        internal override void Run(DepthLevelBands* work, int count) => _hook(() => _inner.Run(work, count));
+
+        internal override void Run(SurfaceBands* work, int count) => _hook(() => _inner.Run(work, count));
+
+        internal override void Run(TorsoBands* work, int count) => _hook(() => _inner.Run(work, count));
 
         internal override void Run(CropBands* work, int count) => _hook(() => _inner.Run(work, count));
 

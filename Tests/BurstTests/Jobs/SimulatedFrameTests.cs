@@ -33,7 +33,20 @@ namespace LaserTracking.Burst
             SimulationScenario scenario = Scenario(PixelFormat.Bgra32, 322, 242);
             scenario.Nudges.Add(new NudgeSettings { TimeS = 0.7, ShiftPx = new Vector2D(2.4, -1.5) });
             List<Frame> frames = Record(scenario);
-            AssertSame(kernels => Play(frames, new ShotDetector(new ShotDetectorSettings { SmoothingNoise = 0.5 }, null, kernels)), "PlaneJob", "DilationJob");
+            AssertSame(kernels => Play(frames, new ShotDetector(new ShotDetectorSettings { SmoothingNoise = 0.5 }, null, kernels)), "PlaneJob", "DilationJob", "PatchJob", "PatchMatchJob", "RatioJob", "HistogramJob", "RiseJob");
+        }
+
+        [Test]
+        public void ShotDetector_WhileTheExposureChanges_FindsTheSameWithJobs()
+        {
+            List<Frame> frames = Record(Scenario(PixelFormat.Bgra32, 322, 242));
+            foreach (Frame frame in frames.Skip(20))
+            {
+                foreach (ref byte level in frame.Color.Bytes)
+                    level = (byte)(level * 3 / 4);
+            }
+
+            AssertSame(kernels => Play(frames, new ShotDetector(null, null, kernels)), "RescaleJob");
         }
 
         [TestCase(PixelFormat.Bgra32)]
@@ -69,7 +82,7 @@ namespace LaserTracking.Burst
             scenario.Shooters.Add(new ShooterSettings());
             var range = new SimulatedRange(scenario, SimulationScenes.Empty());
             List<Frame> frames = Record(range.CreateDepthSource());
-            AssertSame(kernels => PlayHands(range, frames, kernels), "DepthGridJob", "BridgeJob");
+            AssertSame(kernels => PlayHands(range, frames, kernels), "DepthGridJob", "BridgeJob", "DepthLevelJob", "SurfaceJob", "TorsoJob");
         }
 
         [Test]

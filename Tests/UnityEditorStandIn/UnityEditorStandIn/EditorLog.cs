@@ -1,6 +1,8 @@
 // Test code, never shipped: part of a stand-in for Unity's editor, see Tests/UnityEditorStandIn/README.md.
 using System.Collections.Generic;
+using System.Reflection;
 using UnityEditor;
+using UnityEditor.Compilation;
 using UnityEngine;
 
 namespace UnityEditorStandIn
@@ -12,6 +14,12 @@ namespace UnityEditorStandIn
 
         /// <summary>By path.</summary>
         public static Dictionary<string, Object> Assets { get; } = new Dictionary<string, Object>();
+
+        /// <summary>Paths of all files of the project.</summary>
+        public static List<string> Files { get; } = new List<string>();
+
+        /// <summary>Scripting define symbols that are set.</summary>
+        public static List<string> Symbols { get; } = new List<string>();
 
         public static List<BuildPlayerOptions> Built { get; } = new List<BuildPlayerOptions>();
 
@@ -25,12 +33,45 @@ namespace UnityEditorStandIn
         {
             FolderChosen = "";
             Assets.Clear();
+            Files.Clear();
+            Symbols.Clear();
+            EditorApplication.delayCall = null;
+            CompilationPipeline.Forget();
             Built.Clear();
             Drawn.Clear();
             Undoable.Clear();
             Windows.Clear();
             EditorBuildSettings.scenes = new EditorBuildSettingsScene[0];
             Selection.activeGameObject = null;
+        }
+
+        /// <summary>As when scripts have been loaded: marked methods run at once, delayed calls in the editor's next round.</summary>
+        public static void LoadScripts(Assembly scripts)
+        {
+            foreach (System.Type type in scripts.GetTypes())
+            {
+                foreach (MethodInfo method in type.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic))
+                {
+                    if (method.GetCustomAttribute<InitializeOnLoadMethodAttribute>() != null)
+                        method.Invoke(null, null);
+                }
+            }
+
+            RunDelayed();
+        }
+
+        /// <summary>As when a compilation has failed: the scripts that were loaded stay.</summary>
+        public static void FailToCompile()
+        {
+            CompilationPipeline.Finish();
+            RunDelayed();
+        }
+
+        private static void RunDelayed()
+        {
+            EditorApplication.CallbackFunction calls = EditorApplication.delayCall;
+            EditorApplication.delayCall = null;
+            calls?.Invoke();
         }
 
         internal static T Show<T>(string title)

@@ -7,6 +7,8 @@ namespace UnityEngine
     {
         public static bool isPlaying => true;
 
+        public static bool isEditor => Desk.IsEditor;
+
         public static RuntimePlatform platform => RuntimePlatform.LinuxEditor;
 
         public static string persistentDataPath => Desk.PersistentDataPath;

@@ -28,6 +28,8 @@ namespace UnityEngine
 
         public float fieldOfView { get; set; } = 60;
 
+        public int targetDisplay { get; set; }
+
         public int pixelWidth => Desk.Width;
 
         public int pixelHeight => Desk.Height;

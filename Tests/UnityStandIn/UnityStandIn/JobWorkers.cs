@@ -39,18 +39,29 @@ namespace UnityStandIn
 
         internal static int Schedule<T>(T job, int length, int batch) where T : struct, IJobFor
         {
-            if (_mainThread != null && _mainThread != Environment.CurrentManagedThreadId)
-                throw new InvalidOperationException("only the main thread may schedule jobs");
-            if (JobFields<T>.Problem != null)
-                throw new InvalidOperationException(JobFields<T>.Problem);
-            RunCounts.TryGetValue(JobFields<T>.Name, out int before);
-            RunCounts[JobFields<T>.Name] = before + 1;
+            Admit<T>();
             batch = Math.Max(1, batch);
             if (Order != JobOrder.Forward)
                 return Defer(job, length, batch);
             for (int first = 0; first < length; first += batch)
                 RunBatch(job, first, Math.Min(length, first + batch));
             return 0;
+        }
+
+        internal static void Run<T>(T job, int length) where T : struct, IJobFor
+        {
+            Admit<T>();
+            RunBatch(job, 0, length);
+        }
+
+        private static void Admit<T>() where T : struct, IJobFor
+        {
+            if (_mainThread != null && _mainThread != Environment.CurrentManagedThreadId)
+                throw new InvalidOperationException("only the main thread may schedule jobs");
+            if (JobFields<T>.Problem != null)
+                throw new InvalidOperationException(JobFields<T>.Problem);
+            RunCounts.TryGetValue(JobFields<T>.Name, out int before);
+            RunCounts[JobFields<T>.Name] = before + 1;
         }
 
         internal static void Complete(int number)

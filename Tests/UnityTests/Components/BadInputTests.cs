@@ -53,6 +53,94 @@ namespace LaserTracking.Unity
             Assert.That(other.IsRunning, Is.False);
         }
 
+        [Test]
+        public void PathsWithCharactersThatNoPathHas_AreOneMessageEach()
+        {
+            var rig = new RangeRig(new StubSource(45, 0, (30, 320, 240)));
+            SerializedFields.Set(rig.Screen, "_calibrationFile", "screen\0.json");
+            rig.Play(1);
+            ExpectOne(rig, "\"screen\\0.json\": this is no path; enter it without characters such as < > | * ?");
+            SerializedFields.Set(rig.Screen, "_calibrationFile", "");
+            RecordingSource recording = ScriptableObject.CreateInstance<RecordingSource>();
+            SerializedFields.Set(recording, "_file", "\"a\0.mkv\"");
+            ConsoleLog.Clear();
+            rig.Health.Clear();
+            rig.Range.Source = recording;
+            rig.Play(1);
+            ExpectOne(rig, "\"a\\0.mkv\": this is no path; enter it without characters such as < > | * ?");
+        }
+
+        [Test]
+        public void PathInQuotationMarks_AsWindowsCopiesIt_IsTheFile()
+        {
+            string file = System.IO.Path.Combine(System.IO.Path.GetTempPath(), System.IO.Path.GetRandomFileName());
+            System.IO.File.WriteAllText(file, RangeRig.Calibration);
+            try
+            {
+                var rig = new RangeRig(new StubSource(1, 0), withCalibration: false);
+                SerializedFields.Set(rig.Screen, "_calibrationFile", " \"" + file + "\" ");
+                Assert.That(rig.Screen.ReadCalibration()!.ImageWidth, Is.EqualTo(640));
+            }
+            finally
+            {
+                System.IO.File.Delete(file);
+            }
+        }
+
+        [Test]
+        public void HandSourceThatIsTheSourceToo_IsOneMessageAndShotsAreFound()
+        {
+            var rig = new RangeRig(new StubSource(45, 0, (30, 320, 240)));
+            SerializedFields.Set(rig.Screen, "_calibration", new TextAsset(RangeRig.TwoCameraCalibration));
+            rig.Range.HandSource = rig.SourceAsset;
+            rig.Play(2);
+            ExpectOne(rig, "its hand source  is its source too, and one camera can serve only once, so nobody knows who fires; drag in the asset of the camera that sees the trainees, or none", isEnd: true);
+            Assert.That(rig.Shots, Has.Count.EqualTo(1));
+        }
+
+        [Test]
+        public void TwoRangesOnOneHandCamera_TheSecondSaysSoAndFindsShotsWithoutIt()
+        {
+            var rig = new RangeRig(new StubSource(45, 0, (30, 320, 240)));
+            SerializedFields.Set(rig.Screen, "_calibration", new TextAsset(RangeRig.TwoCameraCalibration));
+            StubSourceAsset hands = ScriptableObject.CreateInstance<StubSourceAsset>(), source = ScriptableObject.CreateInstance<StubSourceAsset>();
+            int opened = 0;
+            hands.Create = () =>
+            {
+                opened++;
+                return new StubSource(45, 0);
+            };
+            source.Create = () => new StubSource(45, 0, (30, 320, 240));
+            rig.Range.HandSource = hands;
+            var second = new GameObject("second");
+            second.SetActive(false);
+            LaserRange other = second.AddComponent<LaserRange>();
+            SerializedFields.Set(other, "_screen", rig.Screen);
+            SerializedFields.Set(other, "_viewpoint", rig.Range.Viewpoint);
+            SerializedFields.Set(other, "_source", source);
+            SerializedFields.Set(other, "_handSource", hands);
+            int shots = 0;
+            other.ShotFired += _ => shots++;
+            rig.Range.gameObject.SetActive(true);
+            second.SetActive(true);
+            rig.Play(2);
+            Assert.That(ConsoleLog.Entries.Count(entry => entry.Message.StartsWith("LaserRange second: its hand source  already serves LaserRange range, and one camera can serve only once")), Is.EqualTo(1));
+            ConsoleLog.Clear();
+            Assert.That((rig.Shots.Count, shots, opened), Is.EqualTo((1, 1, 1)));
+        }
+
+        [TestCase(0, "")]
+        [TestCase(1, "draws on display 2, which is not plugged in, so nobody sees its picture; plug the projector in and start anew, or set Target Display of the camera")]
+        public void DisplayThatIsNotPluggedIn_IsOneMessageAndShotsAreFound(int display, string text)
+        {
+            var rig = new RangeRig(new StubSource(45, 0, (30, 320, 240)));
+            rig.Range.Viewpoint!.gameObject.AddComponent<Camera>().targetDisplay = display;
+            rig.Play(2);
+            if (text.Length > 0)
+                ExpectOne(rig, text, isEnd: true);
+            Assert.That((ConsoleLog.Entries.Count, rig.Shots.Count), Is.EqualTo((display, 1)));
+        }
+
         [TestCase("", "recording source : names no file; give the path of an Azure Kinect recording")]
         [TestCase("nowhere.mkv", "nowhere.mkv: no such file; check the name")]
         public void RecordingThatIsNotThere_IsOneMessage(string file, string text)
@@ -95,6 +183,8 @@ namespace LaserTracking.Unity
 
         [TestCase(0, 2.26f)]
         [TestCase(3.73f, -1)]
+        [TestCase(float.PositiveInfinity, 2.26f)]
+        [TestCase(3.73f, float.NaN)]
         public void ScreenWithoutSize_IsOneMessage(float widthM, float heightM)
         {
             var rig = new RangeRig(new StubSource(45, 0, (30, 320, 240)));

@@ -51,6 +51,38 @@ namespace LaserTracking.Unity
             Assert.That(rig.Screen.ReadCalibration()!.ImageWidth, Is.EqualTo(ProjectedSource.Width));
         }
 
+        [TestCase(true, false, 1024, 768)]
+        [TestCase(true, true, 1024, 768)]
+        [TestCase(false, true, 0, 0)]
+        public void CalibrationScreen_ProjectorIsTheSecondDisplay_DrawsThePatternInItsSize(bool isPluggedIn, bool isEditor, int width, int height)
+        {
+            RangeRig rig = Rig(out ProjectedSource _, out CalibrationScreen calibration);
+            Desk.IsEditor = isEditor;
+            if (isPluggedIn)
+                Desk.Plug(1024, 768);
+            rig.Range.Viewpoint!.gameObject.AddComponent<Camera>().targetDisplay = 1;
+            calibration.GetComponent<UIDocument>().panelSettings.targetDisplay = 1;
+            Play(rig, () => rig.Range.IsRunning);
+            calibration.Begin();
+            Assert.That((calibration.Shown!.width, calibration.Shown.height), Is.EqualTo(isPluggedIn ? (width, height) : (Desk.Width, Desk.Height)), "the editor lists one display, whatever its Game view shows");
+            Assert.That(Display.displays.Last().active, Is.True, "a player switches it on only when told");
+            Assert.That(rig.Health.Where(health => health.Text.Contains("display")), Is.Empty);
+        }
+
+        [TestCase(1, 1, "display 2, which is not plugged in")]
+        [TestCase(0, 1, "draws on display 2, the camera that draws the range's picture on 1")]
+        public void CalibrationScreen_DisplayThatIsNotThePicturesOne_SaysSo(int cameras, int panels, string said)
+        {
+            RangeRig rig = Rig(out ProjectedSource _, out CalibrationScreen calibration);
+            rig.Range.Viewpoint!.gameObject.AddComponent<Camera>().targetDisplay = cameras;
+            calibration.GetComponent<UIDocument>().panelSettings.targetDisplay = panels;
+            Play(rig, () => rig.Range.IsRunning);
+            calibration.Begin();
+            Assert.That(calibration.State, Is.EqualTo(CalibrationState.Idle));
+            PlayerLoop.Step(0.02);
+            Assert.That(rig.Health.Select(health => health.Text), Has.Some.Contains(said));
+        }
+
         [Test]
         public void CalibrationScreen_CameraThatSeesNothingOfIt_IsRefusedAndTheOldOneStays()
         {

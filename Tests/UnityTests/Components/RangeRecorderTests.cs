@@ -46,17 +46,37 @@ namespace LaserTracking.Unity
         /// <summary>The shots of a session, run again from its files alone.</summary>
         private static IReadOnlyList<ShotEvent> Replay(string session)
         {
+            var found = new SessionRecorder();
+            Replay(session, found);
+            return found.Shots;
+        }
+
+        private static void Replay(string session, IEventSink sink)
+        {
             SessionLog log = SessionLogFile.Read(session);
             RangeCalibration? calibration = log.HasCalibration ? RangeCalibrationFile.Read(Path.Combine(session, SessionLog.CalibrationFileName)) : null;
             SceneModel? scene = log.HasScene ? ScenePoseLog.Read(Path.Combine(session, SessionLog.SceneFileName)) : null;
-            var found = new SessionRecorder();
-            RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(), calibration, false, scene == null ? null : new ShotScorer(scene), found, new PipelineSettings { SceneTimeZeroUs = log.SceneTimeZeroUs });
+            RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(), calibration, false, scene == null ? null : new ShotScorer(scene), sink, new PipelineSettings { SceneTimeZeroUs = log.SceneTimeZeroUs });
             pipeline.Begin(log.Header);
             using var source = new KinectRecordingSource(KinectRecording.Open(Path.Combine(session, SessionLog.ScreenFramesName)));
             using var runner = new SessionRunner(pipeline, source, null, 0);
             runner.Run(default);
-            pipeline.End(0);
-            return found.Shots;
+            pipeline.End(log.SecondsWall ?? 0);
+        }
+
+        private static string[] ReplayLines(string session)
+        {
+            var bytes = new MemoryStream();
+            Replay(session, new JsonLinesSink(bytes));
+            return Lines(System.Text.Encoding.UTF8.GetString(bytes.ToArray()));
+        }
+
+        private static string[] EventLines(string session) => Lines(File.ReadAllText(Path.Combine(session, SessionLog.EventsFileName)));
+
+        private static string[] Lines(string text)
+        {
+            Assert.That(text, Does.EndWith("\n"));
+            return text.TrimEnd('\n').Split('\n');
         }
 
         [Test]
@@ -120,6 +140,58 @@ namespace LaserTracking.Unity
             Assert.That(rig.Shots, Has.Count.EqualTo(2));
             Assert.That(replayed.Select(s => (s.Shot.Id, s.Shot.TimeUs, s.Shot.Dot.PositionPx.X, s.ScreenM.X, s.HasHit)), Is.EqualTo(rig.Shots.Select(s => (s.Shot.Id, s.Shot.TimeUs, s.Shot.Dot.PositionPx.X, s.ScreenM.X, s.HasHit))));
             Assert.That((replayed[0].Hit.Target, replayed[0].Hit.Zone), Is.EqualTo((rig.Shots[0].Hit.Target, rig.Shots[0].Hit.Zone)).And.EqualTo(("plate", "plate")));
+        }
+
+        [Test]
+        public void RangeRecorder_Replay_WritesTheSameEventsToTheByte()
+        {
+            // A hit, a miss, and one in the last frames: it is told when the source has ended.
+            var rig = new RangeRig(new StubSource(60, 0, (10, 320, 240), (30, 100, 100), (56, 320, 240)));
+            RangeRig.AddPlate("plate", new Vector3(0, 0, 4), 0.5f).gameObject.SetActive(true);
+            RangeRecorder recorder = Add(rig);
+            rig.Play(2.4);
+            Assert.That(recorder.IsRecording, Is.False);
+            Assert.That(rig.Shots, Has.Count.EqualTo(3));
+            string[] written = EventLines(recorder.SessionFolder);
+            Assert.That(written, Is.EqualTo(ReplayLines(recorder.SessionFolder)));
+            Assert.That(written.Count(line => line.Contains("\"type\":\"shot\"")), Is.EqualTo(3));
+            Assert.That(written.Count(line => line.Contains("\"hit\":{\"target\":\"plate\"")), Is.EqualTo(2));
+        }
+
+        [Test]
+        public void RangeRecorder_OnceWarm_AllocatesNothingOnTheDetectorsThreadNorInUpdate()
+        {
+            var rig = new RangeRig(new StubSource(300, 0, (70, 320, 240), (150, 200, 240)));
+            RangeRig.AddPlate("plate", new Vector3(0, 0, 4), 0.5f).gameObject.SetActive(true);
+            RangeRecorder recorder = Add(rig);
+            rig.Play(9);
+            Assert.That(recorder.IsRecording, Is.True);
+            var update = (Action)Delegate.CreateDelegate(typeof(Action), rig.Range, "Update");
+            var lateUpdate = (Action)Delegate.CreateDelegate(typeof(Action), recorder, "LateUpdate");
+            long allocated = Allocation.Of(() =>
+            {
+                PlayerLoop.AdvanceTime(1 / 60.0);
+                update();
+                lateUpdate();
+            });
+            Assert.That(allocated, Is.Zero, "Update");
+            rig.Play(1.5);
+            Assert.That(rig.Shots, Has.Count.EqualTo(2));
+            Assert.That(rig.Source.LeastAllocatedIn20Frames(140, 290), Is.Zero, "the detector's thread");
+        }
+
+        [Test]
+        public void RangeRecorder_StoppedByTheFirstShotsListener_HasThatShotsHit()
+        {
+            var rig = new RangeRig(new StubSource(500, 0, (10, 320, 240), (60, 320, 240)));
+            RangeRig.AddPlate("plate", new Vector3(0, 0, 4), 0.5f).gameObject.SetActive(true);
+            RangeRecorder recorder = Add(rig);
+            rig.Range.ShotFired += _ => recorder.StopRecording();
+            rig.Play(3);
+            Assert.That(rig.Shots, Has.Count.EqualTo(2), "the range goes on");
+            string[] lines = EventLines(recorder.SessionFolder);
+            Assert.That(lines.Count(line => line.Contains("\"target\":\"plate\"")), Is.EqualTo(1));
+            Assert.That(lines.Last(), Does.StartWith("{\"type\":\"end\",\"frames\":" + Read(recorder.SessionFolder).Count + ","));
         }
 
         [Test]

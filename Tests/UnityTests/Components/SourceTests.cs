@@ -66,6 +66,23 @@ namespace LaserTracking.Unity
             Assert.That(rig.Shots.Select(shot => Math.Round((shot.ScreenM.X - 3.73 / 2 + 1) / 0.4)), Is.EqualTo(new[] { 0, 1, 2, 3, 4, 5 }));
         }
 
+        [TestCase(0, 0)]
+        [TestCase(1920, 1)]
+        public void MouseSource_ClickOnTheTrainersDisplay_IsNoShot(int clickAtPx, int shots)
+        {
+            RangeRig rig = MouseRig(out MouseSource _);
+            RangeRig.AddMainCamera().targetDisplay = 1;
+            Desk.Plug(1920, 1080);
+            rig.Range.gameObject.SetActive(true);
+            PlayUntil(() => false, 30);
+            Desk.Mouse = new Vector3(clickAtPx + 960, 540, 0);
+            Desk.IsPressed = true;
+            PlayerLoop.Step(1 / 60.0);
+            Desk.IsPressed = false;
+            PlayUntil(() => rig.Shots.Count > 0, shots > 0 ? 1200 : 30);
+            Assert.That(rig.Shots, Has.Count.EqualTo(shots));
+        }
+
         [Test]
         public void MouseSource_ClickBesideTheScreen_IsNoShot()
         {

@@ -52,6 +52,38 @@ namespace LaserTracking.Unity
             Assert.That(lines.Single(line => line.Name.Contains("OpenCV")).State, Is.EqualTo(SetupState.Asleep));
         }
 
+        [TestCase("RANGE_KINECT", "Microsoft.Azure.Kinect.Sensor.dll")]
+        [TestCase("RANGE_OPENCV", "OpenCvSharp.dll")]
+        [TestCase("RANGE_MATHNET", "MathNet.Numerics.dll")]
+        public void Symbol_SetWithoutItsLibrary_IsSaidInPlainWords(string symbol, string file)
+        {
+            string said = symbol + " is set, but " + file + " is not in the project";
+            EditorLog.Files.AddRange(new[] { "Assets/Readme.md", "Assets/Plugins/" + file + ".txt", "Assets/Plugins/x86_64/OpenCvSharpExtern.dll" });
+            EditorLog.LoadScripts(typeof(SetupCheck).Assembly);
+            Assert.That(ConsoleLog.Entries, Is.Empty, "nothing is asked for");
+            EditorLog.Symbols.AddRange(new[] { "UNITY_EDITOR", symbol });
+            EditorLog.FailToCompile();
+            Assert.That(ConsoleLog.Entries.Single().Message, Does.StartWith(said).And.Contain("Scripting Define Symbols"));
+            Assert.That(Next(SetupFacts.Of(SceneManager.GetActiveScene())), Does.StartWith("libraries: " + said));
+
+            ConsoleLog.Clear();
+            EditorLog.Files.Add("Packages/org.nuget.library/" + file);
+            EditorLog.FailToCompile();
+            EditorLog.LoadScripts(typeof(SetupCheck).Assembly);
+            Assert.That(ConsoleLog.Entries, Is.Empty, "the library is there: what fails is something else");
+            Assert.That(Next(SetupFacts.Of(SceneManager.GetActiveScene())), Does.StartWith("range: "));
+        }
+
+        [Test]
+        public void Libraries_ThatTheEditorKnows_AreThoseOfTheAssemblyDefinitions()
+        {
+            foreach (OptionalLibrary library in OptionalLibrary.All)
+            {
+                string definition = System.IO.Directory.GetFiles(System.IO.Path.Combine(TestFiles.Repository, "Packages", "com.range.lasertracking", "Runtime"), library.Assembly + ".asmdef", System.IO.SearchOption.AllDirectories).Single();
+                Assert.That(System.IO.File.ReadAllText(definition), Does.Contain("\"defineConstraints\": [\"" + library.Symbol + "\"]").And.Contain("\"precompiledReferences\": [\"" + library.File + "\"]"));
+            }
+        }
+
         [Test]
         public void Facts_OfARig_AreWhatItHas()
         {

@@ -10,7 +10,8 @@ namespace LaserTracking.Burst
 {
     /// <summary>
     /// Runs the kernels as Burst jobs on all workers when the main thread asks, and as Burst code on the calling thread when another
-    /// one does: Unity lets only the main thread schedule jobs. Either way the call returns when all is done, with the same results.
+    /// one does: Unity lets only the main thread schedule jobs. A kernel that knows one band only is a job on the main thread itself.
+    /// Either way the call returns when all is done, with the same results.
     /// </summary>
     public sealed unsafe class BurstKernelRunner : KernelRunner
     {
@@ -46,6 +47,54 @@ namespace LaserTracking.Burst
                 new PaperJob { Work = work }.ScheduleParallel(count, Batch(count), default).Complete();
             else
                 BurstLoops.Paper(work, count);
+        }
+
+        internal override void Run(PatchBands* work, int count)
+        {
+            if (IsParallel(count))
+                new PatchJob { Work = work }.ScheduleParallel(count, Batch(count), default).Complete();
+            else
+                BurstLoops.Patch(work, count);
+        }
+
+        internal override void Run(PatchMatchBands* work, int count)
+        {
+            if (IsParallel(count))
+                new PatchMatchJob { Work = work }.ScheduleParallel(count, Batch(count), default).Complete();
+            else
+                BurstLoops.PatchMatch(work, count);
+        }
+
+        internal override void Run(RatioBands* work, int count)
+        {
+            if (IsParallel(count))
+                new RatioJob { Work = work }.ScheduleParallel(count, Batch(count), default).Complete();
+            else
+                BurstLoops.Ratio(work, count);
+        }
+
+        internal override void Run(HistogramBands* work, int count)
+        {
+            if (IsParallel(count))
+                new HistogramJob { Work = work }.ScheduleParallel(count, Batch(count), default).Complete();
+            else
+                BurstLoops.Histogram(work, count);
+        }
+
+        internal override void Run(RescaleBands* work, int count)
+        {
+            if (IsParallel(count))
+                new RescaleJob { Work = work }.ScheduleParallel(count, Batch(count), default).Complete();
+            else
+                BurstLoops.Rescale(work, count);
+        }
+
+        internal override void Run(RiseBands* work, int count)
+        {
+            if (IsParallel(count))
+                new RiseJob { Work = work }.ScheduleParallel(count, Batch(count), default).Complete();
+            else
+                BurstLoops.Rise(work, count);
         }
 
         internal override void Run(RaiseBands* work, int count)
@@ -104,6 +153,30 @@ namespace LaserTracking.Burst
                 BurstLoops.Bridge(work, count);
         }
 
+        internal override void Run(DepthLevelBands* work, int count)
+        {
+            if (IsParallel(count))
+                new DepthLevelJob { Work = work }.ScheduleParallel(count, Batch(count), default).Complete();
+            else
+                BurstLoops.DepthLevel(work, count);
+        }
+
+        internal override void Run(SurfaceBands* work, int count)
+        {
+            if (IsOnMainThread)
+                new SurfaceJob { Work = work }.Run(count);
+            else
+                BurstLoops.Surface(work, count);
+        }
+
+        internal override void Run(TorsoBands* work, int count)
+        {
+            if (IsOnMainThread)
+                new TorsoJob { Work = work }.Run(count);
+            else
+                BurstLoops.Torso(work, count);
+        }
+
         internal override void Run(CropBands* work, int count)
         {
             if (IsParallel(count))
@@ -152,7 +225,9 @@ namespace LaserTracking.Burst
                 BurstLoops.MaxPool(work, count);
         }
 
-        private bool IsParallel(int count) => count > 1 && Environment.CurrentManagedThreadId == _mainThread;
+        private bool IsOnMainThread => Environment.CurrentManagedThreadId == _mainThread;
+
+        private bool IsParallel(int count) => count > 1 && IsOnMainThread;
 
         private int Batch(int count) => Math.Max(1, count / (BatchesPerWorker * BandCount));
     }

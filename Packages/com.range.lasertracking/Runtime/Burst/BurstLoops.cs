@@ -34,6 +34,48 @@ namespace LaserTracking.Burst
         }
 
         [BurstCompile(FloatPrecision.Standard, FloatMode.Strict)]
+        public static void Patch(void* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                ((PatchBands*)work)->Execute(band);
+        }
+
+        [BurstCompile(FloatPrecision.Standard, FloatMode.Strict)]
+        public static void PatchMatch(void* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                ((PatchMatchBands*)work)->Execute(band);
+        }
+
+        [BurstCompile(FloatPrecision.Standard, FloatMode.Strict)]
+        public static void Ratio(void* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                ((RatioBands*)work)->Execute(band);
+        }
+
+        [BurstCompile(FloatPrecision.Standard, FloatMode.Strict)]
+        public static void Histogram(void* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                ((HistogramBands*)work)->Execute(band);
+        }
+
+        [BurstCompile(FloatPrecision.Standard, FloatMode.Strict)]
+        public static void Rescale(void* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                ((RescaleBands*)work)->Execute(band);
+        }
+
+        [BurstCompile(FloatPrecision.Standard, FloatMode.Strict)]
+        public static void Rise(void* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                ((RiseBands*)work)->Execute(band);
+        }
+
+        [BurstCompile(FloatPrecision.Standard, FloatMode.Strict)]
         public static void Raise(void* work, int count)
         {
             for (int band = 0; band < count; band++)
@@ -80,6 +122,27 @@ namespace LaserTracking.Burst
         {
             for (int band = 0; band < count; band++)
                 ((BridgeBands*)work)->Execute(band);
+        }
+
+        [BurstCompile(FloatPrecision.Standard, FloatMode.Strict)]
+        public static void DepthLevel(void* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                ((DepthLevelBands*)work)->Execute(band);
+        }
+
+        [BurstCompile(FloatPrecision.Standard, FloatMode.Strict)]
+        public static void Surface(void* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                ((SurfaceBands*)work)->Execute(band);
+        }
+
+        [BurstCompile(FloatPrecision.Standard, FloatMode.Strict)]
+        public static void Torso(void* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                ((TorsoBands*)work)->Execute(band);
         }
 
         [BurstCompile(FloatPrecision.Standard, FloatMode.Strict)]

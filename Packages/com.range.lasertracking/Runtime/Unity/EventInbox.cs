@@ -38,6 +38,15 @@ namespace LaserTracking.Unity
             }
         }
 
+        public bool HasShots
+        {
+            get
+            {
+                lock (_lock)
+                    return _shots.Count > 0;
+            }
+        }
+
         public bool TryTakeShot(out ShotEvent shot)
         {
             lock (_lock)
@@ -144,6 +153,8 @@ namespace LaserTracking.Unity
             private readonly T[] _items;
             private int _first;
             private int _count;
+
+            public int Count => _count;
 
             public Ring(int capacity) => _items = new T[capacity];
 

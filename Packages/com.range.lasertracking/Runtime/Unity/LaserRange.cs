@@ -43,6 +43,7 @@ namespace LaserTracking.Unity
         private readonly HandEvent[] _hands = new HandEvent[EventInbox.LatestCapacity];
         private readonly EventInbox _events = new EventInbox();
         private FramePump? _pump;
+        private FrameSourceAsset? _handsInUse;
         private Action<Frame>? _look;
         private bool _isOpen;
         private bool _isLost;
@@ -123,8 +124,21 @@ namespace LaserTracking.Unity
                 Restart();
         }
 
-        /// <summary>The recorder gets no more frames; the range goes on.</summary>
-        internal void DetachFrames() => _pump?.StopRecording();
+        /// <summary>The recorder gets no more frames, and the hits of all shots so far; the range goes on.</summary>
+        internal void DetachFrames()
+        {
+            _pump?.StopRecording();
+            RaiseShots();
+        }
+
+        /// <summary>The source has ended, and every shot has been told.</summary>
+        internal bool HasToldAll => !IsRunning && !_events.HasShots;
+
+        private protected override void OnScored(in ShotEvent shot)
+        {
+            if (Recorder != null)
+                Recorder.AddScored(shot);
+        }
 
         /// <summary>While set, camera 0's frames go there instead of to the detector, on the detector's thread.</summary>
         internal void SetLook(Action<Frame>? look)
@@ -154,8 +168,8 @@ namespace LaserTracking.Unity
             if (_pump != null)
             {
                 _source!.UpdateSource();
-                if (_handSource != null)
-                    _handSource.UpdateSource();
+                if (_handsInUse != null)
+                    _handsInUse.UpdateSource();
                 TellTime(_pump);
             }
 
@@ -191,7 +205,8 @@ namespace LaserTracking.Unity
                 return;
             }
 
-            var opening = new RangeOpening(this, _source, Warn);
+            _handsInUse = UsableHands();
+            var opening = new RangeOpening(this, _source, _handsInUse, Warn);
             try
             {
                 _pump = opening.Open(_events, _look);
@@ -200,6 +215,8 @@ namespace LaserTracking.Unity
                 _handRetryAtS = Time.timeAsDouble + RetryS;
                 if (isRetry)
                     Report("LaserRange " + name + ": the camera of " + _source.name + " is there again", false);
+                if (!_isPrepared)
+                    SwitchOnDisplay();
                 if (!_isPrepared && (Screen == null || opening.HasCalibration))
                     PrepareCasting();
                 _isPrepared = true;
@@ -214,6 +231,26 @@ namespace LaserTracking.Unity
             {
                 Report("LaserRange " + name + ": the source " + _source.name + " needs a library that is not there or does not fit (" + problem.Message + "); install it, or choose another source", true);
             }
+        }
+
+        /// <summary>A hand source that something else reads already is left to that; who fires is then not known.</summary>
+        private FrameSourceAsset? UsableHands()
+        {
+            if (_handSource == null)
+                return null;
+            LaserRange? other = OtherRangeWith(_handSource);
+            if (other == null && _handSource != _source)
+                return _handSource;
+            Warn("LaserRange " + name + ": its hand source " + _handSource.name + (other != null ? " already serves LaserRange " + other.name : " is its source too")
+                + ", and one camera can serve only once, so nobody knows who fires; drag in the asset of the camera that sees the trainees, or none");
+            return null;
+        }
+
+        /// <summary>A player switches on none but the first by itself.</summary>
+        private void SwitchOnDisplay()
+        {
+            if (Camera is Camera camera && !OutputDisplay.TrySwitchOn(camera.targetDisplay))
+                Report("LaserRange " + name + ": " + camera.name + " draws on display " + (camera.targetDisplay + 1) + ", which is not plugged in, so nobody sees its picture; plug the projector in and start anew, or set Target Display of the camera", true);
         }
 
         /// <summary>What is missing is said once, however often a camera comes back.</summary>
@@ -234,7 +271,7 @@ namespace LaserTracking.Unity
         /// <summary>Camera 1 is looked for while camera 0 plays on.</summary>
         private void LookForHands(FramePump pump)
         {
-            FrameSourceAsset asset = _handSource!;
+            FrameSourceAsset asset = _handsInUse!;
             if (!_hasNoHands)
             {
                 _hasNoHands = true;
@@ -279,8 +316,9 @@ namespace LaserTracking.Unity
             if (_pump == null)
                 return;
             _source!.ReleaseSource();
-            if (_handSource != null)
-                _handSource.ReleaseSource();
+            if (_handsInUse != null)
+                _handsInUse.ReleaseSource();
+            _handsInUse = null;
             _pump.Dispose();
             RaiseEvents();
             _pump = null;
@@ -292,17 +330,22 @@ namespace LaserTracking.Unity
         {
             for (int i = 0; i < ShotEmitters.Count; i++)
             {
-                if (ShotEmitters.At(i) is LaserRange other && other != this && other._pump != null && (other._source == source || other._handSource == source))
+                if (ShotEmitters.At(i) is LaserRange other && other != this && other._pump != null && (other._source == source || other._handsInUse == source))
                     return other;
             }
 
             return null;
         }
 
-        private void RaiseEvents()
+        private void RaiseShots()
         {
             while (_pump != null && _events.TryTakeShot(out ShotEvent shot))
                 Emit(shot, _pump.ToSceneTimeS(shot.Shot.TimeUs));
+        }
+
+        private void RaiseEvents()
+        {
+            RaiseShots();
             int dots = _events.TakeDots(_dots), hands = _events.TakeHands(_hands);
             for (int i = 0; i < dots; i++)
                 Raise(DotMoved, _dotMoved, _dots[i]);

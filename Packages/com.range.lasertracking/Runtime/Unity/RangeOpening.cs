@@ -16,15 +16,18 @@ namespace LaserTracking.Unity
 
         private readonly LaserRange _range;
         private readonly FrameSourceAsset _asset;
+        private readonly FrameSourceAsset? _handAsset;
         private readonly Action<string> _warn;
 
         /// <param name="range">To be opened.</param>
         /// <param name="asset">Its source.</param>
+        /// <param name="handAsset">Camera 1's own; null: the source's camera 1, if it has one.</param>
         /// <param name="warn">Told what is missing although it opens.</param>
-        public RangeOpening(LaserRange range, FrameSourceAsset asset, Action<string> warn)
+        public RangeOpening(LaserRange range, FrameSourceAsset asset, FrameSourceAsset? handAsset, Action<string> warn)
         {
             _range = range;
             _asset = asset;
+            _handAsset = handAsset;
             _warn = warn;
         }
 
@@ -52,20 +55,21 @@ namespace LaserTracking.Unity
                 if (calibration?.HandCamera != null)
                     handSource = OpenHandSource();
                 HasHands = handSource != null;
-                FrameSourceAsset? handAsset = _range.HandSource;
-                WantsHands = calibration?.HandCamera != null && handAsset != null && handAsset.IsLive;
-                long handClockOffsetUs = handSource == null && !WantsHands ? 0 : handAsset == null ? _asset.HandClockOffsetUs : handAsset.ClockOffsetUs;
+                WantsHands = calibration?.HandCamera != null && _handAsset != null && _handAsset.IsLive;
+                long handClockOffsetUs = handSource == null && !WantsHands ? 0 : _handAsset == null ? _asset.HandClockOffsetUs : _handAsset.ClockOffsetUs;
                 KernelRunner kernels = RangeKernels.Create();
                 handModel = handSource == null && !WantsHands ? null : OpenHandModel(kernels);
                 var settings = new PipelineSettings { SceneTimeZeroUs = _asset.SceneTimeZeroUs };
-                // No scorer: rays are cast by Unity's physics, which only its own thread may ask.
-                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(null, null, kernels), calibration, handSource != null || WantsHands, null, events, settings, handModel, kernels);
-                pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
                 SessionLogWriter? recording = _range.Recorder?.Begin(_asset, source, handSource, handClockOffsetUs, calibration);
+                IEventSink sink = recording?.Events == null ? (IEventSink)events : new EventSinkGroup(new IEventSink[] { recording.Events, events });
+                // No scorer: rays are cast by Unity's physics, which only its own thread may ask.
+                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(null, null, kernels), calibration, handSource != null || WantsHands, null, sink, settings, handModel, kernels);
+                pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
                 return new FramePump(pipeline, source, handSource, handClockOffsetUs, _asset, handModel, events, recording, look);
             }
             catch
             {
+                _range.Recorder?.End(false);
                 _asset.ReleaseSource();
                 source?.Dispose();
                 handSource?.Dispose();
@@ -81,7 +85,7 @@ namespace LaserTracking.Unity
         /// <summary>Without it the range works, but nobody knows who fired.</summary>
         private IFrameSource? OpenHandSource()
         {
-            FrameSourceAsset? asset = _range.HandSource;
+            FrameSourceAsset? asset = _handAsset;
             try
             {
                 IFrameSource? source = asset == null ? _asset.CreateHandSource() : asset.CreateSource(_range);
@@ -99,11 +103,11 @@ namespace LaserTracking.Unity
         /// <summary>Without its file hands are found by depth alone.</summary>
         private HandLandmarkNetwork? OpenHandModel(KernelRunner kernels)
         {
-            string file = _range.HandModelFile;
-            if (file.Length == 0)
+            if (_range.HandModelFile.Length == 0)
                 return null;
             try
             {
+                string file = UserPath.Under("", _range.HandModelFile);
                 return HandLandmarkNetwork.Open(file, HandModelFile.ByName(file), kernels);
             }
             catch (InputException problem)
@@ -128,7 +132,7 @@ namespace LaserTracking.Unity
             Vector2D off = calibration.Screen.ScreenSizeM - screen.SizeM;
             if (screen.HasSize && off.Length > SizeToleranceM)
                 _warn("LaserRange " + _range.name + ": the calibrated picture is " + calibration.Screen.ScreenSizeM + " m, the ScreenSurface " + screen.SizeM + " m, so shots land beside what was aimed at; set one to the other");
-            if (_range.HandSource != null && calibration.HandCamera == null)
+            if (_handAsset != null && calibration.HandCamera == null)
                 _warn("LaserRange " + _range.name + ": the calibration does not say where camera 1 stands, so its frames are not used; calibrate both cameras");
             return calibration;
         }

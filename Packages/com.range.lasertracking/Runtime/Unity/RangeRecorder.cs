@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using LaserTracking.Capture;
@@ -12,9 +13,9 @@ using UnityEngine;
 namespace LaserTracking.Unity
 {
     /// <summary>
-    /// Records what a <see cref="LaserRange"/> sees: both cameras' frames as the detector gets them, calibration, scene and the poses of
-    /// what moves, in a folder that './range replay' runs again. Writing has threads of its own; with cameras, a disk that does not keep up costs
-    /// frames of the recording, which is said, never the game or a shot.
+    /// Records what a <see cref="LaserRange"/> sees and finds: both cameras' frames as the detector gets them, calibration, scene and the
+    /// poses of what moves, events, in a folder that './range replay' runs again. Writing has threads of its own; with cameras, a disk that
+    /// does not keep up costs frames of the recording, which is said, never the game or a shot.
     /// </summary>
     [DisallowMultipleComponent]
     [RequireComponent(typeof(LaserRange))]
@@ -46,6 +47,7 @@ namespace LaserTracking.Unity
         private bool _recordsHands = true;
 
         private LaserRange? _range;
+        private readonly Stopwatch _running = new Stopwatch();
         private SessionLogWriter? _writer;
         private MovedObjects _moved = MovedObjects.None;
         private bool _isWanted;
@@ -102,7 +104,8 @@ namespace LaserTracking.Unity
                 };
                 SessionFolder = NextFolder();
                 _writer = new SessionLogWriter(SessionFolder, log, ScreenSettings(asset, screen, calibration), hands == null || !_recordsHands ? null : HandSettings(asset, hands),
-                    calibration == null ? null : RangeCalibrationFile.Format(calibration), scene);
+                    calibration == null ? null : RangeCalibrationFile.Format(calibration), scene, true);
+                _running.Restart();
                 _toldLost = 0;
                 _isToldProblem = false;
             }
@@ -115,13 +118,16 @@ namespace LaserTracking.Unity
             return _writer;
         }
 
+        /// <summary>Called by the range for each of its shots, hit or miss.</summary>
+        internal void AddScored(in ShotEvent shot) => _writer?.Events?.Score(shot);
+
         /// <summary>Called by the range when its detector has stopped.</summary>
         internal void End(bool isComplete)
         {
             if (_writer == null)
                 return;
             TellTroubles(_writer);
-            _writer.Finish(isComplete, 0);
+            _writer.Finish(isComplete, 0, _running.Elapsed.TotalSeconds);
             TellTroubles(_writer);
             _writer = null;
         }
@@ -149,7 +155,7 @@ namespace LaserTracking.Unity
             if (_writer.Poses != null)
                 _moved.Log(_writer.Poses, Time.timeAsDouble, _range!.SceneClockOffsetS);
             TellTroubles(_writer);
-            if (_range != null && !_range.IsRunning)
+            if (_range != null && _range.HasToldAll)
                 End(true);
         }
 
@@ -196,7 +202,7 @@ namespace LaserTracking.Unity
 
         private string NextFolder()
         {
-            string root = Path.Combine(Application.persistentDataPath, _folder);
+            string root = UserPath.Under(Application.persistentDataPath, _folder);
             for (int number = 1; number <= MaxSessions; number++)
             {
                 string folder = Path.Combine(root, "session-" + number.ToString("0000", CultureInfo.InvariantCulture));

@@ -29,7 +29,7 @@ namespace LaserTracking.Unity
         private string _calibrationFile = "";
 
         [SerializeField]
-        [Tooltip("Stands before the main camera, wherever that goes, so that it fills the height of its view: for a desk without a real screen.")]
+        [Tooltip("Stands before the main camera, wherever that goes, so that it fills the height of its view: for a desk without a real screen. A perspective camera without lens shift.")]
         private bool _fillsCamera;
 
         private RangeCalibration? _inUse;
@@ -37,8 +37,8 @@ namespace LaserTracking.Unity
         /// <summary>Width and height of the projected picture in metres.</summary>
         public Vector2D SizeM => _sizeM.ToCore();
 
-        /// <summary>Both above zero; else nothing can be hit.</summary>
-        public bool HasSize => _sizeM.x > 0 && _sizeM.y > 0;
+        /// <summary>Both above zero and finite; else nothing can be hit.</summary>
+        public bool HasSize => _sizeM.x > 0 && _sizeM.y > 0 && SizeM.IsFinite;
 
         /// <summary>The calibration: what was put in use, else the file where there is one, else the asset; null when there is none.</summary>
         /// <exception cref="InputException">It is none; the message says what is wrong.</exception>
@@ -52,8 +52,9 @@ namespace LaserTracking.Unity
         }
 
         /// <summary>Where a calibration made while it runs is kept; null when none shall be.</summary>
+        /// <exception cref="InputException">What was entered is no path.</exception>
         public string? CalibrationPath =>
-            _calibrationFile.Length == 0 ? null : Path.Combine(Application.persistentDataPath, _calibrationFile);
+            _calibrationFile.Length == 0 ? null : UserPath.Under(Application.persistentDataPath, _calibrationFile);
 
         /// <summary>Puts a calibration in use for this run.</summary>
         internal void Use(RangeCalibration calibration) => _inUse = calibration;
@@ -71,7 +72,7 @@ namespace LaserTracking.Unity
                     RangeCalibrationFile.Write(calibration, path);
                 return true;
             }
-            catch (Exception failure) when (failure is IOException || failure is UnauthorizedAccessException)
+            catch (Exception failure) when (failure is IOException || failure is UnauthorizedAccessException || failure is InputException)
             {
                 problem = failure.Message;
                 return false;

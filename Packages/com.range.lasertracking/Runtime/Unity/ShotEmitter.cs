@@ -58,10 +58,13 @@ namespace LaserTracking.Unity
             {
                 if (_viewpoint != null)
                     return _viewpoint;
-                Camera camera = Camera.main;
+                Camera camera = UnityEngine.Camera.main;
                 return camera == null ? null : camera.transform;
             }
         }
+
+        /// <summary>The camera that draws the picture on the screen; null where the viewpoint is none.</summary>
+        internal Camera? Camera => Viewpoint is Transform viewpoint && viewpoint.GetComponent<Camera>() is Camera camera && camera != null ? camera : null;
 
         internal int HitLayers => _hitLayers;
 
@@ -112,12 +115,18 @@ namespace LaserTracking.Unity
             bool isCast = _caster != null && shot.HasScreenPosition;
             if (isCast)
                 trace = _caster!.Cast(ref shot, sceneTimeS);
+            OnScored(shot);
             Raise(ShotFired, _shotFired, shot);
             if (!isCast)
                 return;
             Raise(ShotTraced, null, trace);
             if (trace.Target != null)
                 trace.Target.ReportHit(shot);
+        }
+
+        /// <summary>The shot is complete; nobody has been told yet.</summary>
+        private protected virtual void OnScored(in ShotEvent shot)
+        {
         }
 
         private protected void Raise<T>(Action<T>? listeners, UnityEvent<T>? unityEvent, in T what) => Raise(this, listeners, unityEvent, what);

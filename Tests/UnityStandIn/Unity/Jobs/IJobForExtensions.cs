@@ -10,5 +10,8 @@ namespace Unity.Jobs
             dependency.Complete();
             return new JobHandle(JobWorkers.Schedule(jobData, arrayLength, innerloopBatchCount));
         }
+
+        /// <summary>In order, on the calling thread, at once.</summary>
+        public static void Run<T>(this T jobData, int arrayLength) where T : struct, IJobFor => JobWorkers.Run(jobData, arrayLength);
     }
 }

@@ -85,6 +85,9 @@ namespace LaserTracking.Detection
             candidate.ExceedsContent = IsContentKnown && excess >= _settings.MinContentExcess;
             candidate.MayBeContent = excess < _settings.MinContentExcess && (IsContentKnown || candidate.ActivityAround > _settings.QuietActivity);
             bool isKnown = memory.TryFind(candidate, out known);
+            if (!isKnown && memory.IsPartOfResting(candidate, out double part)
+                && Fails(ref candidate, true, RejectionReason.Duplicate, part, DotMemory.MaxPartShare, "share of a resting dot's area"))
+                return;
             if (!isKnown && (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, fresh, 0.5) || FailsAtEdge(view, ref candidate)))
                 return;
             SurroundingsMeasurer.ColorRise(view, ref candidate);

@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
@@ -17,11 +18,13 @@ namespace LaserTracking.Detection
         /// <summary>Frames in which the ceiling falls by a level: scenes change, but a dark minute does not mean a weak projector.</summary>
         private const int FramesPerLevel = 16;
 
-        private readonly int[] _histogram = new int[256];
+        private readonly LevelHistogram _histogram;
         private int _frames;
 
         /// <summary>May exceed what the camera can show: a longer exposure that is taken back leaves it where it was.</summary>
         private double _level;
+
+        public ContentCeiling(KernelRunner kernels) => _histogram = new LevelHistogram(kernels);
 
         /// <summary>0…255, by the envelope of the largest channel.</summary>
         public int Level => (int)Math.Min(255, Math.Round(_level));
@@ -35,22 +38,11 @@ namespace LaserTracking.Detection
         /// <summary>The exposure has changed by this factor.</summary>
         public void Scale(double gain) => _level *= gain;
 
-        public unsafe void Update(in FrameView view)
+        public void Update(in FrameView view)
         {
-            Array.Clear(_histogram, 0, 256);
-            int count = 0;
-            for (int y = Step / 2; y < view.Height; y += Step)
-            {
-                byte* row = view.OldLargest + (long)y * view.Width;
-                for (int x = Step / 2; x < view.Width; x += Step)
-                {
-                    _histogram[row[x]]++;
-                    count++;
-                }
-            }
-
-            int level = 255;
-            for (int above = _histogram[255]; level > 0 && above * Rarity <= count; above += _histogram[level])
+            int count = _histogram.Count(view, false, Step), level = 255;
+            ReadOnlySpan<int> histogram = _histogram.Counts;
+            for (int above = histogram[255]; level > 0 && above * Rarity <= count; above += histogram[level])
                 level--;
             _frames++;
             if (_frames == 1)

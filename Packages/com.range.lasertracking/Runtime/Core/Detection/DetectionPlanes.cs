@@ -95,20 +95,12 @@ namespace LaserTracking.Detection
             byte* table = stackalloc byte[256];
             for (int i = 0; i < 256; i++)
                 table[i] = (byte)(i >= ClippedFrom && gain < 1 ? i : Math.Min(255, Math.Round(i * gain)));
-            Replace(NewSmallest, table);
-            Replace(NewLargest, table);
             fixed (uint* picture = Now)
+            fixed (byte* smallest = NewSmallest, largest = NewLargest)
             {
-                byte* bytes = (byte*)picture;
-                for (int i = 0; i < Width * Height * 4; i++)
-                    bytes[i] = table[bytes[i]];
+                var work = new RescaleBands { Width = Width, Table = table, Smallest = smallest, Largest = largest, Picture = picture };
+                _kernels.Run(&work, Height);
             }
-        }
-
-        private static void Replace(byte[] plane, byte* table)
-        {
-            for (int i = 0; i < plane.Length; i++)
-                plane[i] = table[plane[i]];
         }
 
         /// <summary>

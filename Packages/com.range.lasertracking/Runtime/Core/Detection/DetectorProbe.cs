@@ -214,7 +214,7 @@ namespace LaserTracking.Detection
                         int tile = row * tiles.Columns + column;
                         if (Onset(view, plane, column, row) <= tiles.Gate(tile, ShotDetector.GateFloor))
                             continue;
-                        _finder.Fill(view, plane, column, row, 0);
+                        _finder.Fill(view, plane, tiles.Columns, new ReadOnlySpan<int>(&tile, 1));
                         if (!_finder.TryFind(view, plane, column, row, 0, out Candidate candidate) || !IsHere(candidate, centerX, centerY))
                             continue;
                         candidate.Activity = tiles.Activity(tile);

@@ -9,6 +9,9 @@ namespace LaserTracking.Detection
         /// <summary>What compression leaves behind in the blocks of a light that has gone, levels.</summary>
         private const int CompressionLevels = 2;
 
+        /// <summary>Microseconds from which a light rests: nearly all flashes are shorter.</summary>
+        private const long RestUs = 150_000;
+
         /// <summary>Samples along each side of the place as it was before the light.</summary>
         public const int PlaceSide = 10;
 
@@ -32,14 +35,19 @@ namespace LaserTracking.Detection
         public int Bottom;
         public int Frames;
         public long FirstTimeUs;
+        public long LastTimeUs;
         public bool IsConclusive;
         public LaserColor Color;
 
         /// <summary>What has spoken for it so far.</summary>
         public double LogOdds;
 
-        public int PeakRelativeRise;
-        public int Area;
+        public int PeakRise;
+        public double PeakRelativeRise;
+        public double Area;
+
+        /// <summary>Longer side of its light.</summary>
+        public double Length;
         public DetectionPlane Plane;
         public Vector2D PositionPx;
 
@@ -48,6 +56,8 @@ namespace LaserTracking.Detection
 
         /// <summary>It was brighter than the projected picture can be: what is not any more is what lies there now, not the dot.</summary>
         public bool WasAboveContent;
+
+        public bool IsResting => LastTimeUs - FirstTimeUs >= RestUs;
 
         /// <summary>Found again in the frame being processed.</summary>
         public bool IsContinued;
@@ -69,9 +79,25 @@ namespace LaserTracking.Detection
             CompareWithPlace(view, 0, out FirstLight, out double _);
         }
 
+        /// <summary>Where a candidate's light reaches, nothing else.</summary>
+        public static RememberedDot PlaceOf(in Candidate candidate)
+        {
+            int length = LengthOf(candidate), margin = 2 + length / 2;
+            return new RememberedDot
+            {
+                Length = length,
+                Left = candidate.Left - margin,
+                Top = candidate.Top - margin,
+                Right = candidate.Right + margin,
+                Bottom = candidate.Bottom + margin,
+            };
+        }
+
         /// <summary>The light goes on: its place was that of its first frame.</summary>
         public void TakePlaceOf(in RememberedDot earlier)
         {
+            if (earlier.IsResting)
+                Rest(earlier);
             PlacePlane = earlier.PlacePlane;
             PlaceLeft = earlier.PlaceLeft;
             PlaceTop = earlier.PlaceTop;
@@ -102,9 +128,45 @@ namespace LaserTracking.Detection
         private int PlaceIndex(in FrameView view, int sample) =>
             (PlaceTop + sample / PlaceSide * PlaceHeight / PlaceSide) * view.Width + PlaceLeft + sample % PlaceSide * PlaceWidth / PlaceSide;
 
-        /// <summary>It lies in the same place and is not a mere remainder of it.</summary>
-        public bool GoesOnAs(in Candidate c) => c.CenterX <= Right && c.CenterX >= Left && c.CenterY <= Bottom && c.CenterY >= Top
-            && !(WasAboveContent && c.MayBeContent) && 2 * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= 3 * Area;
+        /// <summary>What it is recognised by follows slowly: step by step a dot must not grow into a thing that passes behind it.</summary>
+        private void Rest(in RememberedDot earlier)
+        {
+            bool isSame = Plane == earlier.Plane;
+            Plane = earlier.Plane;
+            Area = isSame ? 0.75 * earlier.Area + 0.25 * Area : earlier.Area;
+            Length = isSame ? 0.75 * earlier.Length + 0.25 * Length : earlier.Length;
+            PeakRelativeRise = isSame ? 0.75 * earlier.PeakRelativeRise + 0.25 * PeakRelativeRise : earlier.PeakRelativeRise;
+            PeakRise = isSame ? PeakRise : earlier.PeakRise;
+        }
+
+        /// <summary>The same with a wider box around.</summary>
+        public RememberedDot Within(int px)
+        {
+            RememberedDot wider = this;
+            wider.Left -= px;
+            wider.Top -= px;
+            wider.Right += px;
+            wider.Bottom += px;
+            return wider;
+        }
+
+        private static int LengthOf(in Candidate c) => Math.Max(c.Right - c.Left, c.Bottom - c.Top) + 1;
+
+        public bool Covers(double x, double y) => x >= Left && x <= Right && y >= Top && y <= Bottom;
+
+        /// <summary>
+        /// It lies in the same place and is not a mere remainder of it, nor a thing that the light lies on. Through the other plane the
+        /// same light looks larger or smaller.
+        /// </summary>
+        public bool GoesOnAs(in Candidate c)
+        {
+            if (!Covers(c.CenterX, c.CenterY) || (WasAboveContent && c.MayBeContent))
+                return false;
+            if (!IsResting)
+                return 2 * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= 3 * Area;
+            int more = c.Plane == Plane ? 1 : 2;
+            return 2 * LengthOf(c) <= 3 * Length + 4 && 2 * more * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= 3 * more * Area;
+        }
     }
 
     /// <summary>
@@ -121,12 +183,38 @@ namespace LaserTracking.Detection
         /// <summary>How much darker than before the place may be, share of the rise.</summary>
         private const double MaxDarkerAfter = 0.15;
 
+        /// <summary>Area through a resting dot's, up to which what rises inside it is a part of it.</summary>
+        public const double MaxPartShare = 0.5;
+
         private RememberedDot[] _last = new RememberedDot[Capacity];
         private RememberedDot[] _now = new RememberedDot[Capacity];
+        private readonly RememberedDot[] _hidden = new RememberedDot[Capacity];
         private int _lastCount;
         private int _nowCount;
+        private int _hiddenCount;
 
-        public void Clear() => _lastCount = _nowCount = 0;
+        public void Clear() => _lastCount = _nowCount = _hiddenCount = 0;
+
+        /// <summary>The next dot of the last frame, from the given one on, that has not been found in this frame.</summary>
+        public bool TryNextLost(ref int index, out RememberedDot dot)
+        {
+            while (index < _lastCount)
+            {
+                dot = _last[index++];
+                if (!dot.IsContinued && !IsFoundAgain(dot))
+                    return true;
+            }
+
+            dot = default;
+            return false;
+        }
+
+        /// <summary>Keeps a dot of the last frame that may be there although nothing shows it: it protects nothing and hides nothing.</summary>
+        public void AddHidden(in RememberedDot dot)
+        {
+            if (_hiddenCount < Capacity)
+                _hidden[_hiddenCount++] = dot;
+        }
 
         /// <summary>The dot of the last frame that shone here.</summary>
         public bool TryFind(in Candidate candidate, out RememberedDot dot)
@@ -142,6 +230,24 @@ namespace LaserTracking.Detection
             }
 
             dot = default;
+            return false;
+        }
+
+        /// <summary>
+        /// Inside a resting dot's light and much smaller than it: where noise lets the middle of the dot rise in the other plane, that
+        /// is not another light. The share of its area.
+        /// </summary>
+        public bool IsPartOfResting(in Candidate candidate, out double areaShare)
+        {
+            for (int i = 0; i < _lastCount; i++)
+            {
+                ref RememberedDot dot = ref _last[i];
+                areaShare = candidate.Area / dot.Area;
+                if (dot.IsResting && dot.Plane != candidate.Plane && dot.Covers(candidate.CenterX, candidate.CenterY) && areaShare <= MaxPartShare)
+                    return true;
+            }
+
+            areaShare = 0;
             return false;
         }
 
@@ -222,8 +328,7 @@ namespace LaserTracking.Detection
         {
             for (int i = 0; i < _nowCount; i++)
             {
-                double x = 0.5 * (_now[i].Left + _now[i].Right), y = 0.5 * (_now[i].Top + _now[i].Bottom);
-                if (x >= dot.Left && x <= dot.Right && y >= dot.Top && y <= dot.Bottom)
+                if (dot.Covers(0.5 * (_now[i].Left + _now[i].Right), 0.5 * (_now[i].Top + _now[i].Bottom)))
                     return true;
             }
 
@@ -247,6 +352,9 @@ namespace LaserTracking.Detection
                 }
             }
 
+            while (_hiddenCount > 0 && _nowCount < Capacity)
+                _now[_nowCount++] = _hidden[--_hiddenCount];
+            _hiddenCount = 0;
             (_last, _now) = (_now, _last);
             _lastCount = _nowCount;
             _nowCount = 0;

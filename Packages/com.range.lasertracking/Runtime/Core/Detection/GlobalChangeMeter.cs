@@ -1,5 +1,6 @@
 using System;
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
@@ -10,9 +11,7 @@ namespace LaserTracking.Detection
     /// </summary>
     internal sealed unsafe class GlobalChangeMeter
     {
-        private const int Across = 6, Down = 4, Patches = Across * Down;
-        private const int Size = 32, Search = 5, Reach = Search + 1, Window = Size + 2 * Reach;
-        private const int SampleStep = 3;
+        private const int Patches = PatchBands.Count, Size = PatchKernel.Size, Window = PatchKernel.Window;
 
         /// <summary>Displacements below this are the measurement's own, working px.</summary>
         private const double Rest = 0.25;
@@ -23,15 +22,18 @@ namespace LaserTracking.Detection
 
         /// <summary>No exposure changes by more from one frame to the next: a flash of the screen does, and adds light instead.</summary>
         private const double SmallestGain = 0.55, LargestGain = 1.8;
-        private const int DarkestForRatio = 24, BrightestForRatio = 245;
+
+        /// <summary>Share of all samples, one in so many, that must be neither dark nor clipped.</summary>
+        private const int LeastUsable = 60;
 
         /// <summary>Frames after which a patch that does not fit any more shows something else now.</summary>
         private const int RenewAfter = 8;
 
         private const int UnsteadyFrames = 15;
 
-        private byte[] _now = new byte[Patches * Window * Window];
-        private byte[] _before = new byte[Patches * Window * Window];
+        private readonly KernelRunner _kernels;
+        private byte[] _now = new byte[Patches * PatchBands.Area];
+        private byte[] _before = new byte[Patches * PatchBands.Area];
         private readonly int[] _columns = new int[Patches * Window];
         private readonly int[] _rows = new int[Patches * Window];
         private readonly float[] _columnReference = new float[Patches * Size];
@@ -40,11 +42,9 @@ namespace LaserTracking.Detection
         private readonly double[] _shiftX = new double[Patches];
         private readonly double[] _shiftY = new double[Patches];
         private readonly double[] _sorted = new double[Patches];
-        private readonly int[] _ratios = new int[256];
-        private readonly double[] _slopes = new double[Size + 2 * Search];
-        private readonly double[] _expected = new double[Size];
+        private readonly int[] _ratios;
+        private readonly long[] _sums;
         private readonly ulong[] _reciprocals = new ulong[256];
-        private double _noise;
         private int _width, _height, _factor, _frames, _steadyFrames;
 
         /// <summary>The picture's content lies this much further right than it used to, whole working px.</summary>
@@ -62,9 +62,11 @@ namespace LaserTracking.Detection
         /// <summary>Brightness through that of the last frame; exactly 1 while it does not change as a whole.</summary>
         public double Gain { get; private set; } = 1;
 
-        public GlobalChangeMeter()
+        public GlobalChangeMeter(KernelRunner kernels)
         {
-            // Rounded up, a product's upper half is the exact quotient of what is far below 2^32.
+            _kernels = kernels;
+            _ratios = new int[256 * kernels.BandCount];
+            _sums = new long[3 * kernels.BandCount];
             for (int divisor = 1; divisor < 256; divisor++)
                 _reciprocals[divisor] = ((1UL << 32) + (ulong)divisor - 1) / (ulong)divisor;
         }
@@ -95,19 +97,19 @@ namespace LaserTracking.Detection
             Gain = 1;
             IsBetweenPixels = false;
             _steadyFrames++;
-            _noise = noise;
             if (_width < 3 * Window || _height < 3 * Window)
                 return;
             (_now, _before) = (_before, _now);
-            for (int patch = 0; patch < Patches; patch++)
-                Read(image, patch);
+            Read(image);
             if (_frames > 0)
-                MeasureGain();
-            for (int patch = 0; patch < Patches; patch++)
             {
-                SumUp(patch);
-                _shiftX[patch] = _frames == 0 ? double.NaN : Match(_columns, patch * Window, _columnReference, patch * Size);
-                _shiftY[patch] = _frames == 0 ? double.NaN : Match(_rows, patch * Window, _rowReference, patch * Size);
+                MeasureGain();
+                Match(noise);
+            }
+            else
+            {
+                Array.Fill(_shiftX, double.NaN);
+                Array.Fill(_shiftY, double.NaN);
             }
 
             if (_frames++ > 0)
@@ -116,67 +118,63 @@ namespace LaserTracking.Detection
                 Learn(patch);
         }
 
-        private int LeftOf(int patch) => (_width - Window) * (2 * (patch % Across) + 1) / (2 * Across);
-
-        private int TopOf(int patch) => (_height - Window) * (2 * (patch / Across) + 1) / (2 * Down);
-
-        /// <summary>The patch in working size: green or luma, straight from the raw picture; the mean of two where one stands for two.</summary>
-        private void Read(Image image, int patch)
+        private void Read(Image image)
         {
-            int target = patch * Window * Window, left = LeftOf(patch) * _factor, top = TopOf(patch) * _factor;
-            int bytes = image.Format == PixelFormat.Bgra32 ? 4 : image.Format == PixelFormat.Yuy2 ? 2 : 1, offset = image.Format == PixelFormat.Bgra32 ? 1 : 0;
             fixed (byte* now = _now)
+            fixed (int* columns = _columns, rows = _rows)
             {
-                for (int y = 0; y < Window; y++)
-                {
-                    // Patches end a twelfth of the free width before the border: no pixel beyond an odd width is read.
-                    byte* row = image.Pixels + Math.Min(image.Height - 1, top + y * _factor) * (long)image.Stride + left * bytes + offset;
-                    byte* line = now + target + y * Window;
-                    if (_factor == 1)
-                    {
-                        for (int x = 0; x < Window; x++)
-                            line[x] = row[x * bytes];
-                    }
-                    else
-                    {
-                        for (int x = 0; x < Window; x++)
-                            line[x] = (byte)(row[2 * x * bytes] + row[(2 * x + 1) * bytes] + 1 >> 1);
-                    }
-                }
+                var work = new PatchBands { Source = image, Width = _width, Height = _height, Factor = _factor, Patches = now, Columns = columns, Rows = rows };
+                _kernels.Run(&work, Patches);
             }
         }
 
+        private void Match(double noise)
+        {
+            fixed (int* columns = _columns, rows = _rows)
+            fixed (float* columnReference = _columnReference, rowReference = _rowReference)
+            fixed (double* shiftX = _shiftX, shiftY = _shiftY)
+            {
+                var work = new PatchMatchBands
+                {
+                    Gain = Gain,
+                    Noise = noise,
+                    Columns = columns,
+                    Rows = rows,
+                    ColumnReference = columnReference,
+                    RowReference = rowReference,
+                    ShiftX = shiftX,
+                    ShiftY = shiftY,
+                };
+                _kernels.Run(&work, Patches);
+            }
+        }
+
+        /// <summary>Ratios in sixty-fourths: the median, then the mean of those near it.</summary>
         private void MeasureGain()
         {
-            // Ratios in sixty-fourths: the median, then the mean of those near it.
-            Array.Clear(_ratios, 0, _ratios.Length);
+            RunRatios(-1, 0);
             int count = 0;
-            for (int i = 0; i < _now.Length; i += SampleStep)
+            for (int i = 0; i < _ratios.Length; i++)
             {
-                int now = _now[i], before = _before[i];
-                if (before < DarkestForRatio || before > BrightestForRatio || now > BrightestForRatio)
-                    continue;
-                _ratios[Math.Min(255, (int)((ulong)(64 * now + before / 2) * _reciprocals[before] >> 32))]++;
-                count++;
+                count += _ratios[i];
+                if (i >= 256)
+                    _ratios[i % 256] += _ratios[i];
             }
 
-            if (count < _now.Length / SampleStep / 20)
+            if (count < _now.Length / LeastUsable)
                 return;
             int median = 0;
             for (int below = _ratios[0]; 2 * below < count; below += _ratios[++median])
             {
             }
 
-            int width = 2 + median / 20, near = 0;
-            long sumNow = 0, sumBefore = 0;
-            for (int i = 0; i < _now.Length; i += SampleStep)
+            RunRatios(median, 2 + median / 20);
+            long near = 0, sumNow = 0, sumBefore = 0;
+            for (int i = 0; i < _sums.Length; i += 3)
             {
-                int now = _now[i], before = _before[i];
-                if (before < DarkestForRatio || before > BrightestForRatio || now > BrightestForRatio || Math.Abs(64 * now - median * before) > width * before)
-                    continue;
-                near++;
-                sumNow += now;
-                sumBefore += before;
+                near += _sums[i];
+                sumNow += _sums[i + 1];
+                sumBefore += _sums[i + 2];
             }
 
             double gain = near > MinAgreement * count ? sumNow / (double)sumBefore : 1;
@@ -184,66 +182,27 @@ namespace LaserTracking.Detection
                 Gain = gain;
         }
 
-        private void SumUp(int patch)
+        private void RunRatios(int middle, int width)
         {
-            int first = patch * Window;
-            Array.Clear(_columns, first, Window);
-            fixed (byte* now = _now)
-            fixed (int* columns = _columns)
+            fixed (byte* now = _now, before = _before)
+            fixed (ulong* reciprocals = _reciprocals)
+            fixed (int* ratios = _ratios)
+            fixed (long* sums = _sums)
             {
-                for (int y = 0; y < Window; y++)
+                var work = new RatioBands
                 {
-                    byte* row = now + (first + y) * Window;
-                    int sum = 0;
-                    for (int x = Reach; x < Reach + Size; x++)
-                        sum += row[x];
-                    _rows[first + y] = sum;
-                    if (y < Reach || y >= Reach + Size)
-                        continue;
-                    for (int x = 0; x < Window; x++)
-                        columns[first + x] += row[x];
-                }
+                    Now = now,
+                    Before = before,
+                    Length = _now.Length,
+                    BandCount = _kernels.BandCount,
+                    Middle = middle,
+                    Width = width,
+                    Reciprocals = reciprocals,
+                    Ratios = ratios,
+                    Sums = sums,
+                };
+                _kernels.Run(&work, work.BandCount);
             }
-        }
-
-        /// <summary>Displacement of the sums' slopes against the remembered ones, with fractions; NaN: nothing to hold on to.</summary>
-        private double Match(int[] sums, int first, float[] reference, int offset)
-        {
-            double best = double.PositiveInfinity, before = 0, after = 0, last = 0, sum = 0;
-            int bestShift = 0;
-            for (int i = 0; i < _slopes.Length; i++)
-                _slopes[i] = Slope(sums, first + Reach - Search + i);
-            for (int i = 0; i < Size; i++)
-                _expected[i] = reference[offset + i] * Gain;
-            for (int shift = -Search; shift <= Search; shift++)
-            {
-                double difference = 0;
-                ReadOnlySpan<double> slopes = _slopes.AsSpan(Search + shift, Size), expected = _expected.AsSpan(0, Size);
-                for (int i = 0; i < expected.Length && i < slopes.Length; i++)
-                    difference += Math.Abs(slopes[i] - expected[i]);
-
-                sum += difference;
-                if (difference < best)
-                {
-                    best = difference;
-                    bestShift = shift;
-                    before = last;
-                    after = double.NaN;
-                }
-                else if (shift == bestShift + 1)
-                {
-                    after = difference;
-                }
-
-                last = difference;
-            }
-
-            // Slopes must stand out of the noise; a clear minimum stands well below the average.
-            double average = sum / (2 * Search + 1);
-            if (average < Size * (6 + 10 * _noise) || best > 0.45 * average || bestShift == -Search || bestShift == Search)
-                return double.NaN;
-            double denominator = 2 * (Math.Max(before, after) - best);
-            return bestShift + (denominator > 0 ? (before - after) / denominator : 0);
         }
 
         private void Decide()
@@ -300,15 +259,15 @@ namespace LaserTracking.Detection
             if (isRenewed)
                 _misfits[patch] = 0;
             float follow = isRenewed ? 1 : 0.1f, gain = (float)Gain;
-            for (int i = 0; i < Size; i++)
+            fixed (int* columns = _columns, rows = _rows)
             {
-                Follow(ref _columnReference[patch * Size + i], Slope(_columns, patch * Window + i + Reach + ShiftX), follow, gain);
-                Follow(ref _rowReference[patch * Size + i], Slope(_rows, patch * Window + i + Reach + ShiftY), follow, gain);
+                for (int i = 0; i < Size; i++)
+                {
+                    Follow(ref _columnReference[patch * Size + i], PatchKernel.Slope(columns + patch * Window, i + PatchKernel.Reach + ShiftX), follow, gain);
+                    Follow(ref _rowReference[patch * Size + i], PatchKernel.Slope(rows + patch * Window, i + PatchKernel.Reach + ShiftY), follow, gain);
+                }
             }
         }
-
-        // Reach leaves a place on either side of the outermost displacement.
-        private static int Slope(int[] sums, int at) => sums[at + 1] - sums[at - 1];
 
         private static void Follow(ref float reference, int slope, float follow, float gain)
         {

@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
@@ -9,8 +10,10 @@ namespace LaserTracking.Detection
         private const int Samples = 5000;
 
         private const double Follow = 0.2;
-        private readonly int[] _histogram = new int[256];
+        private readonly LevelHistogram _histogram;
         private bool _isFirst = true;
+
+        public NoiseMeter(KernelRunner kernels) => _histogram = new LevelHistogram(kernels);
 
         /// <summary>Standard deviation of one frame, levels; never below half a level, the rounding's share.</summary>
         public double Sigma { get; private set; } = 1;
@@ -26,25 +29,16 @@ namespace LaserTracking.Detection
 
         public void Update(in FrameView view)
         {
-            Array.Clear(_histogram, 0, 256);
-            int count = 0, step = Math.Max(1, (int)Math.Sqrt((double)view.Width * view.Height / Samples));
-            for (int y = step / 2; y < view.Height; y += step)
-            {
-                for (int x = step / 2; x < view.Width; x += step)
-                {
-                    _histogram[Math.Abs(view.Change(y * view.Width + x, DetectionPlane.Smallest))]++;
-                    count++;
-                }
-            }
-
+            int count = _histogram.Count(view, true, Math.Max(1, (int)Math.Sqrt((double)view.Width * view.Height / Samples)));
             if (count == 0)
                 return;
+            ReadOnlySpan<int> histogram = _histogram.Counts;
             int level = 0, below = 0;
-            while (level < 255 && 2 * (below + _histogram[level]) < count)
-                below += _histogram[level++];
+            while (level < 255 && 2 * (below + histogram[level]) < count)
+                below += histogram[level++];
 
             // Interpolated inside the bin; |difference of two| has its median at 0.954 sigma.
-            double inside = (count * 0.5 - below) / Math.Max(1, _histogram[level]);
+            double inside = (count * 0.5 - below) / Math.Max(1, histogram[level]);
             double sigma = Math.Max(0.5, Math.Max(0, level - 0.5 + inside) / 0.954);
             Sigma = _isFirst ? sigma : Sigma + Follow * (sigma - Sigma);
             _isFirst = false;

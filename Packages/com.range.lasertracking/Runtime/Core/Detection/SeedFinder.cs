@@ -1,10 +1,12 @@
 using System;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
     /// <summary>Finds in a tile the pixel from which a candidate grows: what no other candidate and no dot of this frame has taken.</summary>
     internal sealed unsafe class SeedFinder
     {
+        private readonly KernelRunner _kernels;
         private readonly byte[] _rises;
         private readonly BlobMeasurer _blobs;
         private readonly DotMemory _memory;
@@ -12,23 +14,23 @@ namespace LaserTracking.Detection
         /// <param name="maxTiles">Tiles of which the rises are kept at a time.</param>
         /// <param name="blobs">Says what this plane's candidates have taken.</param>
         /// <param name="memory">Says where this frame's dots shine.</param>
-        public SeedFinder(int maxTiles, BlobMeasurer blobs, DotMemory memory)
+        /// <param name="kernels">Runs the loop over the tiles.</param>
+        public SeedFinder(int maxTiles, BlobMeasurer blobs, DotMemory memory, KernelRunner kernels)
         {
+            _kernels = kernels;
             _rises = new byte[maxTiles * TileGrid.Size * TileGrid.Size];
             _blobs = blobs;
             _memory = memory;
         }
 
-        /// <summary>Keeps the tile's relative rises: both rounds look for their highest.</summary>
-        public void Fill(in FrameView view, DetectionPlane plane, int tileX, int tileY, int slot)
+        /// <summary>Keeps the tiles' relative rises, each in the slot of its place in the list: both rounds look for their highest.</summary>
+        public void Fill(in FrameView view, DetectionPlane plane, int tileColumns, ReadOnlySpan<int> tiles)
         {
-            int x0 = tileX * TileGrid.Size, x1 = Math.Min(view.Width, x0 + TileGrid.Size);
-            int y0 = tileY * TileGrid.Size, y1 = Math.Min(view.Height, y0 + TileGrid.Size);
-            for (int y = y0; y < y1; y++)
+            fixed (int* list = tiles)
+            fixed (byte* rises = _rises)
             {
-                int target = (slot * TileGrid.Size + y - y0) * TileGrid.Size;
-                for (int x = x0; x < x1; x++)
-                    _rises[target++] = (byte)view.RelativeRise(y * view.Width + x, plane);
+                var work = new RiseBands { View = view, Plane = plane, TileColumns = tileColumns, Tiles = list, Rises = rises };
+                _kernels.Run(&work, tiles.Length);
             }
         }
 

@@ -23,9 +23,10 @@ namespace LaserTracking.Detection
         private readonly SeedFinder _finder;
         private readonly DotMeasurer _measurer;
         private readonly DotMemory _memory = new DotMemory();
-        private readonly NoiseMeter _noise = new NoiseMeter();
-        private readonly GlobalChangeMeter _change = new GlobalChangeMeter();
-        private readonly ContentCeiling _content = new ContentCeiling();
+        private readonly RestingDots _resting;
+        private readonly NoiseMeter _noise;
+        private readonly GlobalChangeMeter _change;
+        private readonly ContentCeiling _content;
         private readonly ScreenMask _mask = new ScreenMask();
         private readonly BlindMeter _blind;
         private readonly int[] _reciprocal = new int[256];
@@ -45,7 +46,11 @@ namespace LaserTracking.Detection
         /// <exception cref="ArgumentException">A setting is outside its range.</exception>
         public ShotDetector(ShotDetectorSettings? settings = null, ExpectedView? expected = null, KernelRunner? kernels = null)
         {
-            _planes = new DetectionPlanes(kernels ?? KernelRunner.Plain);
+            kernels ??= KernelRunner.Plain;
+            _planes = new DetectionPlanes(kernels);
+            _noise = new NoiseMeter(kernels);
+            _change = new GlobalChangeMeter(kernels);
+            _content = new ContentCeiling(kernels);
             _settings = settings?.Clone() ?? new ShotDetectorSettings();
             _settings.Validate();
             _blind = new BlindMeter(_settings);
@@ -56,7 +61,8 @@ namespace LaserTracking.Detection
             _waiting = new WaitingCandidate[4 * _settings.MaxCandidates];
             _seeds = new Candidate[_settings.MaxCandidates];
             _seedOrder = new int[_settings.MaxCandidates];
-            _finder = new SeedFinder(_settings.MaxCandidates, _blobs, _memory);
+            _resting = new RestingDots(_blobs, _memory);
+            _finder = new SeedFinder(_settings.MaxCandidates, _blobs, _memory, kernels);
             Probe = new DetectorProbe(_settings, _planes, _change, _judge, _blobs, _finder, _reciprocal);
             for (int headroom = 0; headroom < 256; headroom++)
                 _reciprocal[headroom] = 255 * 256 / (headroom + 8);
@@ -170,6 +176,8 @@ namespace LaserTracking.Detection
                 SearchAboveExpected(image, view, _expected!, detections);
             SearchPlane(image, view, DetectionPlane.Smallest, _planes.SmallestTiles, GateFloor, detections);
             SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, GateFloor, detections);
+            if (!_isPredicted)
+                KeepResting(image, view, detections);
             AddWaiting(image, view, detections);
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
@@ -189,22 +197,22 @@ namespace LaserTracking.Detection
         {
             // Two rounds: a tile may hold two dots. The highest rise goes first, or a faint neighbour would grow into it and take it along.
             _blobs.Begin();
-            ReadOnlySpan<int> hot = tiles.FindHot(floor, _settings.MaxCandidates);
+            Span<int> hot = tiles.FindHot(floor, _settings.MaxCandidates);
             detections.Skip(tiles.HotCount - hot.Length);
             _judge.IsCrowded = tiles.HotCount > _settings.CrowdedShare * tiles.Columns * tiles.Rows;
             bool isAboveExpected = tiles == _expected?.Tiles;
             if (!isAboveExpected)
                 Trace?.Spot?.SetTile(plane, tiles, hot, floor, view, _planes.Factor);
+            if (_isPredicted)
+                hot = _expected!.Unexplained(hot);
+            _finder.Fill(view, plane, tiles.Columns, hot);
             for (int round = 0; round < 2; round++)
             {
-                int seeds = 0, slot = 0;
-                foreach (int tile in hot)
+                int seeds = 0;
+                for (int slot = 0; slot < hot.Length; slot++)
                 {
-                    if (_isPredicted && _expected!.ExplainsTile(tile))
-                        continue;
-                    if (round == 0)
-                        _finder.Fill(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot);
-                    if (!_finder.TryFind(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot++, out Candidate candidate))
+                    int tile = hot[slot];
+                    if (!_finder.TryFind(view, plane, tile % tiles.Columns, tile / tiles.Columns, slot, out Candidate candidate))
                         continue;
                     candidate.Activity = tiles.Activity(tile);
                     candidate.ActivityAround = tiles.ActivityAround(tile);
@@ -307,14 +315,25 @@ namespace LaserTracking.Detection
             {
                 int traceIndex = Trace?.FinishWaiting(candidate, view, position, factor) ?? -1;
                 _waiting[_waitingCount++] = new WaitingCandidate(candidate, traceIndex);
-                RememberedDot place = PlaceOf(candidate);
+                RememberedDot place = RememberedDot.PlaceOf(candidate);
                 place.IsProvisional = true;
                 _memory.Add(place);
                 return;
             }
 
+            Take(image, view, candidate, known, detections);
+        }
+
+        private void KeepResting(Image image, in FrameView view, Detections detections)
+        {
+            for (int next = 0; _resting.TryFind(view, Noise, detections.TimeUs, ref next, out Candidate candidate, out RememberedDot known);)
+                Take(image, view, candidate, known, detections);
+        }
+
+        private void Take(Image image, in FrameView view, in Candidate candidate, in RememberedDot known, Detections detections)
+        {
             Dot dot = _measurer.Measure(image, view, _planes.Factor, candidate, known, Noise);
-            Trace?.Finish(candidate, view, dot.PositionPx, factor, known.Frames > 0, detections.Dots.Length);
+            Trace?.Finish(candidate, view, dot.PositionPx, _planes.Factor, known.Frames > 0, detections.Dots.Length);
             detections.Add(dot);
             Remember(view, candidate, dot, known);
         }
@@ -357,26 +376,15 @@ namespace LaserTracking.Detection
             }
         }
 
-        private static RememberedDot PlaceOf(in Candidate candidate)
-        {
-            int margin = 2 + (Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top) + 1) / 2;
-            return new RememberedDot
-            {
-                Left = candidate.Left - margin,
-                Top = candidate.Top - margin,
-                Right = candidate.Right + margin,
-                Bottom = candidate.Bottom + margin,
-            };
-        }
-
         private void Remember(in FrameView view, in Candidate candidate, in Dot dot, in RememberedDot known)
         {
-            RememberedDot remembered = PlaceOf(candidate);
+            RememberedDot remembered = RememberedDot.PlaceOf(candidate);
             remembered.Frames = known.Frames + 1;
             remembered.IsConclusive = candidate.IsConclusive;
-            remembered.FirstTimeUs = _judge.TimeUs;
+            remembered.FirstTimeUs = remembered.LastTimeUs = _judge.TimeUs;
             remembered.Color = dot.Color;
             remembered.LogOdds = candidate.LogOdds;
+            remembered.PeakRise = candidate.PeakRise;
             remembered.PeakRelativeRise = candidate.PeakRelativeRise;
             remembered.Area = candidate.Area;
             remembered.Plane = candidate.Plane;

@@ -78,8 +78,8 @@ namespace LaserTracking.Detection
             }
         }
 
-        /// <summary>Tiles to look into, in reading order; at most limit of them.</summary>
-        public ReadOnlySpan<int> FindHot(int floor, int limit)
+        /// <summary>Tiles to look into, in reading order; at most limit of them. The caller's until the next call.</summary>
+        public Span<int> FindHot(int floor, int limit)
         {
             Array.Clear(_histogram, 0, 256);
             HotCount = 0;
@@ -108,7 +108,20 @@ namespace LaserTracking.Detection
                     _hot[count++] = i;
             }
 
-            return new ReadOnlySpan<int>(_hot, 0, count);
+            return new Span<int>(_hot, 0, count);
+        }
+
+        /// <summary>Those of some tiles that have an onset so large, moved to the front.</summary>
+        public Span<int> Reaching(int least, Span<int> tiles)
+        {
+            int count = 0;
+            foreach (int tile in tiles)
+            {
+                if (_onsets[tile] >= least)
+                    tiles[count++] = tile;
+            }
+
+            return tiles.Slice(0, count);
         }
 
         /// <summary>A dot's own light must not raise the threshold under it.</summary>

@@ -1,5 +1,6 @@
 using System;
 using LaserTracking.Geometry;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands
 {
@@ -7,7 +8,7 @@ namespace LaserTracking.Hands
     /// Splits a grid into connected surfaces and finds, in each, the parts that stand out before the torso: arms. Surfaces that are
     /// small enough to be an arm without a body in sight count whole; parts that are too large are bodies again.
     /// </summary>
-    internal sealed class BodySegmenter
+    internal sealed unsafe class BodySegmenter
     {
         public const int MaybeHead = 128;
 
@@ -27,6 +28,7 @@ namespace LaserTracking.Hands
         private const double HeadDepthMm = 220;
 
         private readonly DepthHandSettings _settings;
+        private readonly KernelRunner _kernels;
         private readonly TorsoProfile _torsos;
         private readonly int[] _contacts;
         private int[] _cells = Array.Empty<int>();
@@ -36,10 +38,11 @@ namespace LaserTracking.Hands
         private int _used;
         private DepthGrid _grid = null!;
 
-        public BodySegmenter(DepthHandSettings settings)
+        public BodySegmenter(DepthHandSettings settings, KernelRunner kernels)
         {
             _settings = settings;
-            _torsos = new TorsoProfile(settings);
+            _kernels = kernels;
+            _torsos = new TorsoProfile(settings, kernels);
             Arms = new ArmPart[2 * settings.MaxHands];
             _contacts = new int[Arms.Length * Arms.Length];
         }
@@ -69,17 +72,26 @@ namespace LaserTracking.Hands
             _used = 0;
             ArmCount = 0;
             _torsos.Clear();
-            float[] z = grid.Z;
-            for (int i = 0; i < cells; i++)
+            fixed (float* z = grid.Z, rayX = grid.RayX, rayY = grid.RayY, before = _before)
+            fixed (byte* levels = _level)
+            fixed (int* list = _cells)
             {
-                _level[i] = z[i] > 0 ? (byte)1 : (byte)0;
-                _before[i] = float.MaxValue;
-            }
-
-            for (int i = 0; i < cells; i++)
-            {
-                if (_level[i] == 1)
-                    Examine(Flood(i, 1), 1);
+                var start = new DepthLevelBands { Width = grid.Width, Z = z, Levels = levels, Before = before };
+                _kernels.Run(&start, grid.Height);
+                var whole = new SurfaceBands
+                {
+                    Width = grid.Width,
+                    Height = grid.Height,
+                    StepMm = (float)_settings.SurfaceStepMm,
+                    Level = 1,
+                    SeedCount = cells,
+                    Z = z,
+                    RayX = rayX,
+                    Before = before,
+                    Levels = levels,
+                    Cells = list,
+                };
+                Gather(whole, rayY);
             }
 
             PlaceOnTorsos();
@@ -161,9 +173,27 @@ namespace LaserTracking.Hands
             }
         }
 
-        /// <summary>Level n marks cells that wait to be gathered at depth n; a gathered cell carries 0.</summary>
-        private void Examine(in ArmPart part, int level)
+        /// <summary>All surfaces of a level. Level n marks cells that wait to be gathered at depth n.</summary>
+        private void Gather(SurfaceBands surfaces, float* rayY)
         {
+            while (true)
+            {
+                surfaces.Used = _used;
+                _kernels.Run(&surfaces, 1);
+                if (surfaces.Count == 0)
+                    return;
+                _used = surfaces.Used;
+                Examine(surfaces, rayY);
+            }
+        }
+
+        private void Examine(in SurfaceBands surface, float* rayY)
+        {
+            var part = new ArmPart
+            {
+                First = surface.Used - surface.Count, Count = surface.Count, AreaMm2 = surface.Area * _grid.UnitArea, NearestMm = surface.NearestMm,
+                MiddleXMm = surface.SumX / surface.Area, ReachMm = surface.ReachMm,
+            };
             if (part.AreaMm2 < _settings.MinArmAreaMm2 / 4)
             {
                 _used = part.First;
@@ -176,35 +206,16 @@ namespace LaserTracking.Hands
                 return;
             }
 
-            if (level > MaxLevel)
+            if (surface.Level > MaxLevel)
                 return;
-            MarkForward(part, (byte)(level + 1));
-            int end = part.First + part.Count;
-            for (int i = part.First; i < end; i++)
-            {
-                if (_level[_cells[i]] == level + 1)
-                    Examine(Flood(_cells[i], (byte)(level + 1)), level + 1);
-            }
-        }
-
-        private void MarkForward(in ArmPart part, byte level)
-        {
-            ReadOnlySpan<int> cells = CellsOf(part);
-            _torsos.Build(_grid, cells);
-            float forward = (float)_settings.ForwardMm;
-            foreach (int cell in cells)
-            {
-                float z = _grid.Z[cell];
-                int row = cell / _grid.Width;
-                double x = _grid.RayX[cell - row * _grid.Width] * z;
-                double y = _grid.RayY[row] * z;
-                float before = (float)_torsos.BodyZ(x, y) - z;
-                _before[cell] = before;
-                if (before > forward)
-                    _level[cell] = level;
-                else
-                    _torsos.AddTorso(x, y, z);
-            }
+            int* cells = surface.Cells + part.First;
+            _torsos.Split(surface, cells, part.Count, rayY);
+            SurfaceBands parts = surface;
+            parts.Level++;
+            parts.Seeds = cells;
+            parts.SeedCount = part.Count;
+            parts.Next = 0;
+            Gather(parts, rayY);
         }
 
         /// <summary>
@@ -304,50 +315,6 @@ namespace LaserTracking.Hands
             for (int m = 0; m < k; m++)
                 _contacts[m * Arms.Length + k] += _contacts[m * Arms.Length + i];
             Arms[i].AreaMm2 = 0;
-        }
-
-        private ArmPart Flood(int seed, byte level)
-        {
-            int width = _grid.Width, height = _grid.Height;
-            float[] z = _grid.Z;
-            float step = (float)_settings.SurfaceStepMm;
-            int first = _used, next = first;
-            double area = 0, sumX = 0;
-            float nearest = float.MaxValue, reach = 0;
-            _cells[_used++] = seed;
-            _level[seed] = 0;
-            while (next < _used)
-            {
-                int cell = _cells[next++];
-                float here = z[cell];
-                int y = cell / width, x = cell - y * width;
-                area += (double)here * here;
-                sumX += (double)here * here * here * _grid.RayX[x];
-                nearest = Math.Min(nearest, here);
-                reach = Math.Max(reach, _before[cell]);
-                if (x > 0)
-                    Visit(cell - 1, here);
-                if (x + 1 < width)
-                    Visit(cell + 1, here);
-                if (y > 0)
-                    Visit(cell - width, here);
-                if (y + 1 < height)
-                    Visit(cell + width, here);
-            }
-
-            return new ArmPart
-            {
-                First = first, Count = _used - first, AreaMm2 = area * _grid.UnitArea, NearestMm = nearest, MiddleXMm = sumX / area,
-                ReachMm = reach,
-            };
-
-            void Visit(int neighbour, float here)
-            {
-                if (_level[neighbour] != level || Math.Abs(z[neighbour] - here) > step)
-                    return;
-                _level[neighbour] = 0;
-                _cells[_used++] = neighbour;
-            }
         }
 
         /// <summary>Keeps the nearest arms when there are more than there is room for.</summary>

@@ -50,8 +50,9 @@ namespace LaserTracking.Hands
             used.Validate();
             _settings = used;
             _upright = upright;
-            _grid = new DepthGrid(camera, used, kernels ?? KernelRunner.Plain);
-            _segmenter = new BodySegmenter(used);
+            kernels ??= KernelRunner.Plain;
+            _grid = new DepthGrid(camera, used, kernels);
+            _segmenter = new BodySegmenter(used, kernels);
             _fitter = new ArmFitter(used, upright);
             _heads = new HeadFinder(used, upright);
             _people = new PersonSet(used, upright);

@@ -23,6 +23,18 @@ namespace LaserTracking.Kernels
 
         internal abstract void Run(PaperBands* work, int count);
 
+        internal abstract void Run(PatchBands* work, int count);
+
+        internal abstract void Run(PatchMatchBands* work, int count);
+
+        internal abstract void Run(RatioBands* work, int count);
+
+        internal abstract void Run(HistogramBands* work, int count);
+
+        internal abstract void Run(RescaleBands* work, int count);
+
+        internal abstract void Run(RiseBands* work, int count);
+
         internal abstract void Run(RaiseBands* work, int count);
 
         internal abstract void Run(ExpectationBands* work, int count);
@@ -36,6 +48,12 @@ namespace LaserTracking.Kernels
         internal abstract void Run(DepthGridBands* work, int count);
 
         internal abstract void Run(BridgeBands* work, int count);
+
+        internal abstract void Run(DepthLevelBands* work, int count);
+
+        internal abstract void Run(SurfaceBands* work, int count);
+
+        internal abstract void Run(TorsoBands* work, int count);
 
         internal abstract void Run(CropBands* work, int count);
 

@@ -27,6 +27,42 @@ namespace LaserTracking.Kernels
                 work->Execute(band);
         }
 
+        internal override void Run(PatchBands* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                work->Execute(band);
+        }
+
+        internal override void Run(PatchMatchBands* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                work->Execute(band);
+        }
+
+        internal override void Run(RatioBands* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                work->Execute(band);
+        }
+
+        internal override void Run(HistogramBands* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                work->Execute(band);
+        }
+
+        internal override void Run(RescaleBands* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                work->Execute(band);
+        }
+
+        internal override void Run(RiseBands* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                work->Execute(band);
+        }
+
         internal override void Run(RaiseBands* work, int count)
         {
             for (int band = 0; band < count; band++)
@@ -64,6 +100,24 @@ namespace LaserTracking.Kernels
         }
 
         internal override void Run(BridgeBands* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                work->Execute(band);
+        }
+
+        internal override void Run(DepthLevelBands* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                work->Execute(band);
+        }
+
+        internal override void Run(SurfaceBands* work, int count)
+        {
+            for (int band = 0; band < count; band++)
+                work->Execute(band);
+        }
+
+        internal override void Run(TorsoBands* work, int count)
         {
             for (int band = 0; band < count; band++)
                 work->Execute(band);

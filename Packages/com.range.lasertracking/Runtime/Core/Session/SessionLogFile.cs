@@ -79,7 +79,14 @@ namespace LaserTracking.Session
                 ["complete"] = log.IsComplete,
             };
             string path = Path.Combine(folder, SessionLog.FileName), temporary = path + ".part";
-            File.WriteAllText(temporary, root.ToString(Formatting.Indented).Replace("\r\n", "\n") + "\n", new UTF8Encoding(false));
+            byte[] text = new UTF8Encoding(false).GetBytes(root.ToString(Formatting.Indented).Replace("\r\n", "\n") + "\n");
+            using (var file = new FileStream(temporary, FileMode.Create, FileAccess.Write))
+            {
+                file.Write(text, 0, text.Length);
+                // On the disk before it takes the old one's place, or a power cut could leave neither.
+                file.Flush(true);
+            }
+
             File.Delete(path);
             File.Move(temporary, path);
         }

@@ -9,7 +9,8 @@ namespace LaserTracking.Session
 {
     /// <summary>
     /// Records a session into a folder of its own: both cameras' frames as the pipeline gets them, calibration, scene with its poses,
-    /// settings. Frames of one camera from one thread at a time, poses from one thread.
+    /// settings; and its events, where somebody has them. Frames of one camera from one thread at a time, poses from one thread. What
+    /// is written is flushed to the disk every second.
     /// </summary>
     public sealed class SessionLogWriter : IDisposable
     {
@@ -17,6 +18,10 @@ namespace LaserTracking.Session
         private readonly string _folder;
         private FrameRecorder? _screen;
         private FrameRecorder? _hands;
+        private WriteBehindStream? _eventFile;
+        private WriteBehindStream? _poseFile;
+        private DiskFlusher? _flusher;
+        private SessionEnd _soFar;
         private bool _isDisposed;
 
         /// <param name="folder">Made; must not hold a session yet.</param>
@@ -25,8 +30,9 @@ namespace LaserTracking.Session
         /// <param name="hands">How camera 1 is; null: there is none.</param>
         /// <param name="calibration">Text of the calibration file; null: none.</param>
         /// <param name="scene">What is shot at; null: nothing.</param>
+        /// <param name="withEvents">Writes events.jsonl there too: see <see cref="Events"/>.</param>
         /// <exception cref="InputException">The folder holds a session, or cannot be written to.</exception>
-        public SessionLogWriter(string folder, SessionLog log, FrameRecorderSettings screen, FrameRecorderSettings? hands, string? calibration, SceneModel? scene)
+        public SessionLogWriter(string folder, SessionLog log, FrameRecorderSettings screen, FrameRecorderSettings? hands, string? calibration, SceneModel? scene, bool withEvents = false)
         {
             if (SessionLog.IsIn(folder))
                 throw new InputException(folder, "holds a session already, which is not overwritten", "name another folder");
@@ -43,8 +49,20 @@ namespace LaserTracking.Session
                 if (calibration != null)
                     File.WriteAllText(Path.Combine(folder, SessionLog.CalibrationFileName), calibration, new UTF8Encoding(false));
                 if (scene != null)
-                    Poses = new ScenePoseLog(new FileStream(Path.Combine(folder, SessionLog.SceneFileName), FileMode.CreateNew, FileAccess.Write, FileShare.Read), scene);
+                {
+                    _poseFile = Create(SessionLog.SceneFileName);
+                    Poses = new ScenePoseLog(_poseFile, scene);
+                    _poseFile.Drain();
+                }
+
+                if (withEvents)
+                {
+                    _eventFile = Create(SessionLog.EventsFileName);
+                    Events = new ScoredLaterSink(new JsonLinesSink(_eventFile), log.Header);
+                }
+
                 SessionLogFile.Write(log, folder);
+                _flusher = new DiskFlusher(Directory.GetFiles(folder));
             }
             catch (Exception problem)
             {
@@ -58,6 +76,11 @@ namespace LaserTracking.Session
         /// <summary>For objects that something else than their own path moves; null without a scene.</summary>
         public ScenePoseLog? Poses { get; private set; }
 
+        /// <summary>
+        /// Gets the pipeline's events; whoever scores the shots gives each of them back, hit or miss. Null: nobody asked for them.
+        /// </summary>
+        public ScoredLaterSink? Events { get; private set; }
+
         /// <summary>Camera 0's frames written so far.</summary>
         public long RecordedFrames => _screen?.RecordedFrames ?? 0;
 
@@ -65,10 +88,18 @@ namespace LaserTracking.Session
         public long LostFrames => Lost(_screen) + Lost(_hands);
 
         /// <summary>Why a recording ended early, one line; empty: none did.</summary>
-        public string Problem => _screen?.Problem is { Length: > 0 } problem ? problem : _hands?.Problem ?? "";
+        public string Problem => _screen?.Problem is { Length: > 0 } screen ? screen : _hands?.Problem is { Length: > 0 } hands ? hands
+            : _poseFile?.Problem is { Length: > 0 } poses ? poses : _eventFile?.Problem ?? "";
 
         /// <summary>For the tap of camera 0's source.</summary>
-        public void AddScreenFrame(Frame frame) => _screen?.Add(frame);
+        public void AddScreenFrame(Frame frame)
+        {
+            _screen?.Add(frame);
+            _soFar.StartTimeUs ??= frame.TimeUs;
+            _soFar.Frames++;
+            _soFar.Dropped += frame.Color.IsPresent ? 0 : 1;
+            _soFar.SecondsMedia = (frame.TimeUs - _soFar.StartTimeUs.Value) * 1e-6;
+        }
 
         /// <summary>For the tap of camera 1's source: its times as the camera tells them.</summary>
         public void AddHandFrame(Frame frame) => _hands?.Add(frame);
@@ -76,10 +107,12 @@ namespace LaserTracking.Session
         /// <summary>Completes recordings and log. The disk may be full by now: <see cref="Problem"/> says so.</summary>
         /// <param name="isComplete">The session went on to its end: a replay gives its bytes.</param>
         /// <param name="inputProblems">What the sources reported damaged, which the recordings cannot show again.</param>
-        public void Finish(bool isComplete, int inputProblems)
+        /// <param name="secondsWall">What the session took by the host's clock, for the last line of its events where the pipeline goes on.</param>
+        public void Finish(bool isComplete, int inputProblems, double secondsWall = 0)
         {
             if (_isDisposed)
                 return;
+            FinishEvents(secondsWall);
             CloseAll();
             _log.Frames = (_screen?.RecordedFrames ?? 0) + (_hands?.RecordedFrames ?? 0);
             _log.Lost = LostFrames;
@@ -100,12 +133,31 @@ namespace LaserTracking.Session
 
         private static long Lost(FrameRecorder? recorder) => recorder == null ? 0 : recorder.DroppedFrames + recorder.LeftOutPictures;
 
+        private WriteBehindStream Create(string name)
+        {
+            string path = Path.Combine(_folder, name);
+            return new WriteBehindStream(new FileStream(path, FileMode.CreateNew, FileAccess.Write, FileShare.ReadWrite), path);
+        }
+
+        private void FinishEvents(double secondsWall)
+        {
+            if (Events == null)
+                return;
+            _soFar.SecondsWall = secondsWall;
+            SessionEnd end = Events.PipelineEnd ?? _soFar;
+            Events.Finish(end);
+            _log.SecondsWall = end.SecondsWall;
+        }
+
         private void CloseAll()
         {
             _isDisposed = true;
+            _flusher?.Dispose();
             _screen?.Dispose();
             _hands?.Dispose();
             Poses?.Dispose();
+            _poseFile?.Dispose();
+            _eventFile?.Dispose();
         }
     }
 }

@@ -74,12 +74,17 @@ namespace LaserTracking.Unity
         {
             Cancel();
             LaserRange? range = Range;
-            VisualElement? root = GetComponent<UIDocument>().rootVisualElement;
+            UIDocument document = GetComponent<UIDocument>();
+            VisualElement? root = document.rootVisualElement;
+            int display = root == null ? 0 : document.panelSettings.targetDisplay;
+            OutputDisplay.GetSize(display, out int width, out int height);
             string problem = range == null ? "has no LaserRange to calibrate; drag one in"
                 : range.Screen == null || !range.Screen.HasSize ? "finds no screen with a size at its LaserRange; give it a ScreenSurface of the picture's size in metres"
                 : root == null ? "cannot be seen: its UIDocument has no panel settings; drag RangePanel in"
                 : !range.IsRunning ? "gets no pictures: the source of its LaserRange does not play; start the camera first"
-                : !ScreenPattern.CanDraw(UnityEngine.Screen.width, UnityEngine.Screen.height) ? "needs a window between 16:6 and 16:14, 160 pixels wide or more; make it fill the projector's picture"
+                : range.Camera is Camera camera && camera.targetDisplay != display ? "draws on display " + (display + 1) + ", the camera that draws the range's picture on " + (camera.targetDisplay + 1) + "; give its panel settings a copy with that Target Display"
+                : !OutputDisplay.TrySwitchOn(display) ? "draws on display " + (display + 1) + ", which is not plugged in; plug the projector in and start anew, or set Target Display of its panel settings"
+                : !ScreenPattern.CanDraw(width, height) ? "needs a window between 16:6 and 16:14, 160 pixels wide or more; make it fill the projector's picture"
                 : "";
             if (problem.Length > 0)
             {
@@ -88,7 +93,7 @@ namespace LaserTracking.Unity
             }
 
             _before = CalibrationBefore(range!.Screen!);
-            _pattern = new PatternTexture(UnityEngine.Screen.width, UnityEngine.Screen.height);
+            _pattern = new PatternTexture(width, height);
             _sheet = PanelElements.Box(root!, "calibration", Color.black, 0);
             PanelElements.Fill(_sheet);
             _sheet.style.backgroundImage = _pattern.Texture;
@@ -226,8 +231,8 @@ namespace LaserTracking.Unity
                 ShotEmitters.Report(this, "calibration " + Verdict, false);
             CalibrationMap.Show(_sheet!, found, _limitMm);
             _untilS = Time.timeAsDouble + _mapS;
-            Finished?.Invoke(found);
-            _finished.Invoke(found.IsAccepted);
+            ShotEmitter.Raise(this, Finished, null, found);
+            ShotEmitter.Raise(this, null, _finished, found.IsAccepted);
         }
 
         private void Store(LaserRange range, RangeCalibration calibration)

@@ -63,7 +63,7 @@ namespace LaserTracking.Unity
         }
 
         /// <summary>Fires at a point of the window, as a click there would; for other pointers than the mouse.</summary>
-        /// <param name="windowPx">Pixels from the window's lower left corner.</param>
+        /// <param name="windowPx">Pixels from the lower left corner of the display that the main camera draws on.</param>
         public void Fire(Vector2 windowPx)
         {
             Camera camera = Camera.main;
@@ -82,8 +82,8 @@ namespace LaserTracking.Unity
         public override void UpdateSource()
         {
 #if ENABLE_LEGACY_INPUT_MANAGER
-            if (Input.GetMouseButtonDown(0))
-                Fire(new Vector2(Input.mousePosition.x, Input.mousePosition.y));
+            if (Input.GetMouseButtonDown(0) && Camera.main is Camera camera && camera != null && OutputDisplay.TryGetPlaceOn(camera.targetDisplay, Input.mousePosition, out Vector2 placePx))
+                Fire(placePx);
 #endif
             double nowS = Time.timeAsDouble;
             // While the detector is late its clicks wait: none is lost.

@@ -1,4 +1,3 @@
-using System.IO;
 using LaserTracking.Capture;
 using LaserTracking.Capture.AzureKinect;
 using UnityEngine;
@@ -45,7 +44,7 @@ namespace LaserTracking.Unity
 
         private IFrameSource Open(string file, KinectStreams streams, string needed, out byte[]? deviceCalibration)
         {
-            string path = Path.Combine(Application.streamingAssetsPath, file);
+            string path = UserPath.Under(Application.streamingAssetsPath, file);
             KinectRecording recording = KinectRecording.Open(path);
             deviceCalibration = recording.TryReadCalibration(out byte[] json) ? json : null;
             if ((needed == "depth" ? recording.DepthTrack : recording.ColorTrack) != null)

@@ -1,5 +1,4 @@
 using System;
-using System.IO;
 using System.Net;
 using LaserTracking.Geometry;
 using LaserTracking.Remote;
@@ -87,7 +86,7 @@ namespace LaserTracking.Unity
                 if (_file.Length == 0)
                     Listen(new RemoteReceiver(ReadSettings(), _wall));
                 else
-                    Watch(new RemoteFileReceiver(Path.Combine(Application.persistentDataPath, _file), new RemoteSettings(), _wall));
+                    Watch(new RemoteFileReceiver(UserPath.Under(Application.persistentDataPath, _file), new RemoteSettings(), _wall));
             }
             catch (Exception problem) when (problem is InputException || problem is ArgumentException)
             {
@@ -195,7 +194,7 @@ namespace LaserTracking.Unity
             {
                 Address = Parse(_address),
                 Port = _port,
-                Key = _keyFile.Length == 0 ? null : RemoteKey.ReadFile(_keyFile),
+                Key = _keyFile.Length == 0 ? null : RemoteKey.ReadFile(UserPath.Under("", _keyFile)),
                 AllowedSenders = senders,
             };
         }

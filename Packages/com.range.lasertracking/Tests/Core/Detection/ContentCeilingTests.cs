@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Kernels;
 using NUnit.Framework;
 
 namespace LaserTracking.Detection
@@ -27,7 +28,7 @@ namespace LaserTracking.Detection
 
         private static ContentCeiling Learned(byte level)
         {
-            var ceiling = new ContentCeiling();
+            var ceiling = new ContentCeiling(KernelRunner.Plain);
             Look(ceiling, level, 1);
             Assert.That(ceiling.Level, Is.EqualTo(level));
             return ceiling;

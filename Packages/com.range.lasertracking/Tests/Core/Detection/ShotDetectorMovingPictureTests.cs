@@ -60,12 +60,14 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        [Category("Long")]
         public void Process_SimulatedMovingTargetsWithoutShots_GiveNoShot()
         {
             Assert.That(Simulate(new SimulationScenario { Seed = 5, DurationS = 8 }, out _), Is.Empty);
         }
 
         [Test]
+        [Category("Long")]
         public void Process_SimulatedShotsOnMovingTargets_AreFound()
         {
             var scenario = new SimulationScenario { Seed = 6, DurationS = 6 };

@@ -13,6 +13,7 @@ namespace LaserTracking.Health
         [TestCase(100.0, 30.0, 40.0, 5000.0, "50 Hz", "10 or 20 ms")]
         [TestCase(120.0, 25.0, 60.0, 4000.0, "60 Hz", "8.33 or 16.67 ms")]
         [TestCase(100.0, 60.0, 20.0, 6000.0, "50 Hz", "set the exposure to 10 ms")]
+        [Category("Long")]
         public void PictureMonitor_LampsOnMains_AreNamedWithTheExposureToChoose(double hz, double rate, double rowUs, double exposureUs, string mains, string advice)
         {
             SimulationScenario scenario = Room(rate);
@@ -27,6 +28,7 @@ namespace LaserTracking.Health
         }
 
         [Test]
+        [Category("Long")]
         public void PictureMonitor_ExposureOfWholeMainsPeriods_DoesNotFlicker()
         {
             SimulationScenario scenario = Room(30);
@@ -61,6 +63,7 @@ namespace LaserTracking.Health
 
         [TestCase(0.0)]
         [TestCase(0.05)]
+        [Category("Long")]
         public void PictureMonitor_OrdinaryMovingScene_SaysNothing(double ambient)
         {
             SimulationScenario scenario = Room(30);

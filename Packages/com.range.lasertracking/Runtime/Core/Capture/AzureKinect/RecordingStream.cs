@@ -38,7 +38,7 @@ namespace LaserTracking.Capture.AzureKinect
                 if (File.Exists(path))
                     throw new InputException(path, "exists already and is not overwritten", "name another file, or delete this one");
                 Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(path))!);
-                return new FileStream(path, FileMode.CreateNew, FileAccess.Write, FileShare.Read, 1);
+                return new FileStream(path, FileMode.CreateNew, FileAccess.Write, FileShare.ReadWrite, 1);
             }
             catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException
                 || exception is ArgumentException || exception is NotSupportedException)

@@ -166,6 +166,9 @@ namespace LaserTracking.Detection
         /// <summary>Nothing in the tile is brighter than expected.</summary>
         internal bool ExplainsTile(int tile) => Tiles.Onset(tile) < MinUnexplained;
 
+        /// <summary>Those of some tiles that are not explained, moved to the front.</summary>
+        internal Span<int> Unexplained(Span<int> tiles) => Tiles.Reaching(MinUnexplained, tiles);
+
         /// <summary>The candidate's seed is no brighter than expected.</summary>
         internal bool Explains(in FrameView view, in Candidate candidate, out int excess)
         {

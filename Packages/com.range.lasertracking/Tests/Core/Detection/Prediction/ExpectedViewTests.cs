@@ -128,6 +128,7 @@ namespace LaserTracking.Detection
 
         [TestCase(ProjectedContent.Shapes)]
         [TestCase(ProjectedContent.ShapesOverTexture)]
+        [Category("Long")]
         public void Shots_OfNobody_AreNone(ProjectedContent content)
         {
             var range = new MovingRange(MovingRange.Scenario(9, 20, content));
@@ -137,6 +138,7 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        [Category("Long")]
         public void Pictures_ThatTheProjectorDoesNotShow_ChangeNothing()
         {
             SimulationScenario scenario = MovingRange.Scenario(10, 6);

@@ -1,0 +1,56 @@
+namespace LaserTracking.Detection
+{
+    /// <summary>
+    /// How often each level occurs on a sparse grid of the working picture: of the pixels' change since the last frame, or of what they
+    /// have been. A band is a share of the grid's rows; what bands count is added up afterwards.
+    /// </summary>
+    internal unsafe struct HistogramBands
+    {
+        public const int Levels = 256;
+
+        public FrameView View;
+
+        /// <summary>Of the darkest channel's change, and not of the brightest channel's past.</summary>
+        public bool IsOfChange;
+
+        /// <summary>From sample to sample, working px; the first lies half of it from the border.</summary>
+        public int Step;
+        public int BandCount;
+
+        /// <summary><see cref="Levels"/> for each band.</summary>
+        public int* Histograms;
+
+        public void Execute(int band)
+        {
+            int* histogram = Histograms + Levels * band;
+            for (int i = 0; i < Levels; i++)
+                histogram[i] = 0;
+            int rows = (View.Height - Step / 2 + Step - 1) / Step;
+            int first = (int)((long)rows * band / BandCount), end = (int)((long)rows * (band + 1) / BandCount);
+            for (int row = first; row < end; row++)
+            {
+                if (IsOfChange)
+                    CountChange(Step / 2 + row * Step, histogram);
+                else
+                    CountPast(Step / 2 + row * Step, histogram);
+            }
+        }
+
+        private void CountChange(int y, int* histogram)
+        {
+            for (int x = Step / 2; x < View.Width; x += Step)
+            {
+                int change = View.Change(y * View.Width + x, DetectionPlane.Smallest);
+                histogram[change < 0 ? -change : change]++;
+            }
+        }
+
+        private void CountPast(int y, int* histogram)
+        {
+            byte* row = View.OldLargest + (long)y * View.Width;
+            int width = View.Width, step = Step;
+            for (int x = step / 2; x < width; x += step)
+                histogram[row[x]]++;
+        }
+    }
+}

@@ -1,0 +1,30 @@
+namespace LaserTracking.Detection
+{
+    /// <summary>Relative rises of the pixels in chosen tiles; a band is a tile.</summary>
+    internal unsafe struct RiseBands
+    {
+        public FrameView View;
+        public DetectionPlane Plane;
+
+        /// <summary>Tiles in a row.</summary>
+        public int TileColumns;
+
+        /// <summary>Which ones.</summary>
+        public int* Tiles;
+
+        /// <summary>A tile's pixels for each, row by row; those beyond the border are left as they are.</summary>
+        public byte* Rises;
+
+        public void Execute(int slot)
+        {
+            int x0 = Tiles[slot] % TileColumns * TileGrid.Size, y0 = Tiles[slot] / TileColumns * TileGrid.Size;
+            int x1 = x0 + TileGrid.Size < View.Width ? x0 + TileGrid.Size : View.Width, y1 = y0 + TileGrid.Size < View.Height ? y0 + TileGrid.Size : View.Height;
+            for (int y = y0; y < y1; y++)
+            {
+                byte* to = Rises + (slot * TileGrid.Size + y - y0) * TileGrid.Size;
+                for (int x = x0; x < x1; x++)
+                    *to++ = (byte)View.RelativeRise(y * View.Width + x, Plane);
+            }
+        }
+    }
+}

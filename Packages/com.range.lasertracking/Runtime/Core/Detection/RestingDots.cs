@@ -1,0 +1,161 @@
+using System;
+
+namespace LaserTracking.Detection
+{
+    /// <summary>
+    /// Finds a dot again that rests where the picture behind it has changed: its rise above its pixels' past says nothing then, but it
+    /// still stands out from what lies around it. That is made its past, so that it is grown and measured like any other dot.
+    /// </summary>
+    internal sealed unsafe class RestingDots
+    {
+        /// <summary>Microseconds for which a dot is looked for where its surroundings leave no room to see it.</summary>
+        private const long MaxHiddenUs = 1_000_000;
+
+        /// <summary>Working px by which a resting dot may have moved, or been misplaced by what passed behind it.</summary>
+        private const int MaxStep = 3;
+
+        /// <summary>Share of the surroundings above which the dot has to stand.</summary>
+        private const double RingQuantile = 0.9;
+
+        private readonly int[] _histogram = new int[256];
+        private readonly BlobMeasurer _blobs;
+        private readonly DotMemory _memory;
+
+        /// <param name="blobs">Grows what is found.</param>
+        /// <param name="memory">The dots of the last frame.</param>
+        public RestingDots(BlobMeasurer blobs, DotMemory memory)
+        {
+            _blobs = blobs;
+            _memory = memory;
+        }
+
+        /// <summary>The next dot that rests unseen so far; dots that cannot be seen but may be there are kept in memory.</summary>
+        /// <param name="view">The frame. Where a dot is looked for its past becomes what is around it.</param>
+        /// <param name="noise">Temporal noise, levels.</param>
+        /// <param name="timeUs">Of the frame, microseconds.</param>
+        /// <param name="index">Where to begin to look: 0 in the first call; where it was left afterwards.</param>
+        /// <param name="candidate">Grown and measured.</param>
+        /// <param name="known">The dot that it is.</param>
+        public bool TryFind(in FrameView view, double noise, long timeUs, ref int index, out Candidate candidate, out RememberedDot known)
+        {
+            while (_memory.TryNextLost(ref index, out known))
+            {
+                if (!known.IsResting || !known.IsConclusive || IsAsBefore(view, known, noise))
+                    continue;
+                RememberedDot place = known.Within(MaxStep);
+                if (HasGoneOut(view, place, noise, out bool isSameAround))
+                    continue;
+                if (Stands(view, place, noise, out candidate))
+                    return true;
+                if (!isSameAround && timeUs - known.LastTimeUs < MaxHiddenUs)
+                    _memory.AddHidden(known);
+            }
+
+            candidate = default;
+            return false;
+        }
+
+        /// <summary>Its surroundings are as their past says: a light that does not rise above that is out, whatever else stands there.</summary>
+        private static bool IsAsBefore(in FrameView view, in RememberedDot dot, double noise)
+        {
+            double tolerance = 4 * noise + 4;
+            int changed = 0, count = 0;
+            for (int y = Math.Max(0, dot.Top); y <= Math.Min(view.Height - 1, dot.Bottom); y++)
+            {
+                int step = y == dot.Top || y == dot.Bottom ? 1 : dot.Right - dot.Left;
+                for (int x = dot.Left; x <= dot.Right; x += step)
+                {
+                    if (x < 0 || x >= view.Width)
+                        continue;
+                    count++;
+                    if (Math.Abs(view.Rise(y * view.Width + x, dot.Plane)) > tolerance)
+                        changed++;
+                }
+            }
+
+            return changed <= (1 - RingQuantile) * count;
+        }
+
+        /// <summary>While nothing changed around it, it came down by half of what it had risen.</summary>
+        private bool HasGoneOut(in FrameView view, in RememberedDot dot, double noise, out bool isSameAround)
+        {
+            int ringNow = RingLevel(view, view.Now, dot, dot.Plane), ringBefore = RingLevel(view, view.Before, dot, dot.Plane);
+            isSameAround = Math.Abs(ringNow - ringBefore) <= 4 * noise + 2;
+            return isSameAround && PeakLevel(view, view.Before, dot) - PeakLevel(view, view.Now, dot) > dot.PeakRise / 2;
+        }
+
+        private bool Stands(in FrameView view, in RememberedDot dot, double noise, out Candidate candidate)
+        {
+            candidate = new Candidate { Plane = dot.Plane, SeedX = -1 };
+            Fill(view, view.OldSmallest, dot, RingLevel(view, view.Now, dot, DetectionPlane.Smallest));
+            Fill(view, view.OldLargest, dot, RingLevel(view, view.Now, dot, DetectionPlane.Largest));
+            for (int y = Math.Max(0, dot.Top + 1); y <= Math.Min(view.Height - 1, dot.Bottom - 1); y++)
+            {
+                for (int x = Math.Max(0, dot.Left + 1); x <= Math.Min(view.Width - 1, dot.Right - 1); x++)
+                {
+                    int rise = view.RelativeRise(y * view.Width + x, dot.Plane);
+                    if (rise <= candidate.PeakRelativeRise)
+                        continue;
+                    candidate.PeakRelativeRise = rise;
+                    candidate.SeedX = x;
+                    candidate.SeedY = y;
+                }
+            }
+
+            if (2 * candidate.PeakRelativeRise < dot.PeakRelativeRise || candidate.SeedX < 0)
+                return false;
+            candidate.PeakRise = view.Rise(candidate.SeedY * view.Width + candidate.SeedX, dot.Plane);
+            _blobs.Begin();
+            _blobs.Grow(view, ref candidate);
+            if (!dot.GoesOnAs(candidate))
+                return false;
+            candidate.LogOdds = dot.LogOdds;
+            candidate.IsConclusive = true;
+            SurroundingsMeasurer.ColorRise(view, ref candidate);
+            SurroundingsMeasurer.Ring(view, ref candidate, noise);
+            return true;
+        }
+
+        private static void Fill(in FrameView view, byte* past, in RememberedDot dot, int level)
+        {
+            int left = Math.Max(0, dot.Left), right = Math.Min(view.Width - 1, dot.Right);
+            for (int y = Math.Max(0, dot.Top); y <= Math.Min(view.Height - 1, dot.Bottom); y++)
+                new Span<byte>(past + y * view.Width + left, right - left + 1).Fill((byte)level);
+        }
+
+        /// <summary>What nine tenths of the box's border do not exceed.</summary>
+        private int RingLevel(in FrameView view, uint* picture, in RememberedDot dot, DetectionPlane plane)
+        {
+            Array.Clear(_histogram, 0, _histogram.Length);
+            int count = 0;
+            for (int y = Math.Max(0, dot.Top); y <= Math.Min(view.Height - 1, dot.Bottom); y++)
+            {
+                int step = y == dot.Top || y == dot.Bottom ? 1 : dot.Right - dot.Left;
+                for (int x = dot.Left; x <= dot.Right; x += step)
+                {
+                    if (x < 0 || x >= view.Width)
+                        continue;
+                    _histogram[FrameView.Level(picture[y * view.Width + x], plane)]++;
+                    count++;
+                }
+            }
+
+            int level = 0;
+            for (int below = _histogram[0]; below < RingQuantile * count && level < 255; below += _histogram[level])
+                level++;
+            return level;
+        }
+
+        private static int PeakLevel(in FrameView view, uint* picture, in RememberedDot dot)
+        {
+            int peak = 0;
+            for (int y = Math.Max(0, dot.Top); y <= Math.Min(view.Height - 1, dot.Bottom); y++)
+            {
+                for (int x = Math.Max(0, dot.Left); x <= Math.Min(view.Width - 1, dot.Right); x++)
+                    peak = Math.Max(peak, FrameView.Level(picture[y * view.Width + x], dot.Plane));
+            }
+
+            return peak;
+        }
+    }
+}
