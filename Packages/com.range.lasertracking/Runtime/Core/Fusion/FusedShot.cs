@@ -32,7 +32,10 @@ namespace LaserTracking.Fusion
         /// <summary>Angle between the arm's axis and v, radians; NaN when the axis is unknown.</summary>
         public double AimErrorRad;
 
-        /// <summary>Angle between the line from the eyes over the muzzle and v, radians; NaN when no head is seen.</summary>
+        /// <summary>
+        /// Angle between the line from the eyes over the muzzle and v, radians, longer where that line is known better than on average; NaN when
+        /// no head is seen.
+        /// </summary>
         public double SightErrorRad;
 
         /// <summary>Time of the hand minus time of the shot, microseconds.</summary>

@@ -31,6 +31,9 @@ namespace LaserTracking.Fusion
         /// <summary>Standard deviation between the line of sight over the muzzle and the light about one axis, radians, beside what the tracker says.</summary>
         public double SightSpreadRad { get; set; } = 0.003;
 
+        /// <summary>How far the bore lies below the line from the eye over the sights, metres.</summary>
+        public double SightHeightM { get; set; } = 0.025;
+
         /// <summary>For how many shots the expected spread counts beside what is seen of somebody's own.</summary>
         public double SpreadShots { get; set; } = 2.5;
 

@@ -64,9 +64,7 @@ namespace LaserTracking.Fusion
             double distance = Math.Max(0.1, v.Length);
             double solidAnglePerM2 = Math.Max(0, v.Z / distance) / (distance * distance);
             double anywhere = 1 / (2 * Math.PI);
-            double seconds = Math.Abs(hand.DeltaUs) * 1e-6 * (hand.IsInterpolated ? 0.25 : 1);
-            double drift = settings.AimDriftRadPerS * seconds, lever = shot.MuzzleSigmaM / distance;
-            double common = drift * drift + lever * lever;
+            double common = CommonVariance(hand, shot, distance, settings);
             double wrist = settings.WristSigmaRad * settings.WristSigmaRad + hand.Hand.AimSigmaRad * hand.Hand.AimSigmaRad + common;
             double sight = hand.Hand.SightSigmaRad * hand.Hand.SightSigmaRad + common;
             double sighted = double.IsNaN(shot.SightErrorRad) ? 0 : double.IsNaN(shot.AimErrorRad) ? 1 : settings.SightedShare;
@@ -84,6 +82,14 @@ namespace LaserTracking.Fusion
             double density = (1 - settings.OutlierShare) * aimed + settings.OutlierShare * anywhere;
             sightShare = bySight / density;
             return density * solidAnglePerM2;
+        }
+
+        /// <summary>Variance about one axis, square radians, of any line over this muzzle: the distance in time, and the muzzle's own error.</summary>
+        internal static double CommonVariance(in PairedHand hand, in FusedShot shot, double distanceM, FusionSettings settings)
+        {
+            double seconds = Math.Abs(hand.DeltaUs) * 1e-6 * (hand.IsInterpolated ? 0.25 : 1);
+            double drift = settings.AimDriftRadPerS * seconds, lever = shot.MuzzleSigmaM / Math.Max(0.1, distanceM);
+            return drift * drift + lever * lever;
         }
 
         /// <summary>Density per steradian of light so far beside the line of sight; core is the part of it that is no far worse sighting than it says.</summary>

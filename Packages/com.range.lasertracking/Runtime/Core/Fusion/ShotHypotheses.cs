@@ -202,9 +202,10 @@ namespace LaserTracking.Fusion
                 if (!(share > 0) || Math.Abs(_hands[i].DeltaUs) > nearest + SameTimeUs)
                     continue;
                 shares += share;
-                PairedHand hand = Sighted(_hands[i], key);
+                PairedHand hand = CarriedOn(_hands[i]);
                 if (!ShotHandPairing.TryPair(hand, screenM, _camera, _settings, out FusedShot pair))
                     continue;
+                Match(key, screenM, ref hand, ref pair);
                 double density = share * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings, out double bySight) * Stillness(hand, pair);
                 sum += density;
                 if (density <= highest)
@@ -273,18 +274,26 @@ namespace LaserTracking.Fusion
             return isInView ? _settings.HiddenShare : _settings.OutOfViewShare;
         }
 
-        /// <summary>The hand with its sight line from where this person is known to aim over.</summary>
-        private PairedHand Sighted(in PairedHand seen, int key)
+        /// <summary>Shots are reported before camera 1's next frame: a little way on as it went.</summary>
+        private static PairedHand CarriedOn(in PairedHand seen)
         {
             PairedHand hand = seen;
-            // Shots are reported before camera 1's next frame: a little way on as it went.
             if (!hand.IsInterpolated && Math.Abs(hand.DeltaUs) <= LearnUs)
                 hand.Hand.MuzzleMm -= hand.MuzzleVelocityMmS * (hand.DeltaUs * 1e-6);
-            if (key < 0 || !_sights.TrySight(key, _camera.ToScreenM(hand.Hand.MuzzleMm), hand.Hand.MuzzleSigmaMm * Axes.MetresPerMillimetre, out Vector3D sight, out double sigma))
-                return hand;
-            hand.Hand.SightDirection = _camera.PoseInScreenMm.InverseTransformDirection(sight).Normalized;
-            hand.Hand.SightSigmaRad = sigma;
             return hand;
+        }
+
+        /// <summary>Sets the sight line of a pair to the one from where this person is known to aim over.</summary>
+        private void Match(int key, Vector2D screenM, ref PairedHand hand, ref FusedShot pair)
+        {
+            if (key < 0)
+                return;
+            Vector3D v = new Vector3D(screenM.X, screenM.Y, 0) - pair.MuzzleM;
+            double common = ShotHandPairing.CommonVariance(hand, pair, v.Length, _settings);
+            if (!_sights.TryMatch(key, pair.MuzzleM, hand.Hand.MuzzleSigmaMm * Axes.MetresPerMillimetre, v, common, out double error, out double sigma))
+                return;
+            pair.SightErrorRad = error;
+            hand.Hand.SightSigmaRad = Math.Sqrt(Math.Max(0, sigma * sigma - common));
         }
     }
 }

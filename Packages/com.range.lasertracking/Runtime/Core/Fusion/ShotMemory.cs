@@ -23,6 +23,10 @@ namespace LaserTracking.Fusion
             public double Rest;
 
             public double Share;
+
+            /// <summary>Probability that this shot is theirs, and the part of it for which it keeps to their line.</summary>
+            public double Claim;
+            public double Kept;
             public SightEvidence Evidence;
         }
 
@@ -44,6 +48,9 @@ namespace LaserTracking.Fusion
         private const int Newest = 4;
         private const int EachFrame = 4;
 
+        /// <summary>So many shots in a row beside somebody's line, and it is not theirs.</summary>
+        private const int Contradictions = 3;
+
         /// <summary>Sightings farther apart are not interpolated between.</summary>
         private const long GapUs = 120_000;
 
@@ -59,6 +66,7 @@ namespace LaserTracking.Fusion
         private int _count;
         private int _start;
         private int _next;
+        private long _learnedAnewUs = long.MinValue;
 
         public ShotMemory(HandCamera camera, FusionSettings settings, SightLines sights)
         {
@@ -68,7 +76,11 @@ namespace LaserTracking.Fusion
             _hands = new PairedHand[settings.MaxHands];
         }
 
-        public void Clear() => _count = _start = _next = 0;
+        public void Clear()
+        {
+            _count = _start = _next = 0;
+            _learnedAnewUs = long.MinValue;
+        }
 
         /// <summary>Begins to remember a shot; its lines are added next.</summary>
         public void Begin(long timeUs, Vector2D screenM)
@@ -100,7 +112,64 @@ namespace LaserTracking.Fusion
         }
 
         /// <summary>Learns from the shot just added.</summary>
-        public void End() => Weigh(Place(_count - 1));
+        public void End()
+        {
+            int newest = Place(_count - 1);
+            Weigh(newest);
+            for (int i = 0; i < _shots[newest].Lines; i++)
+            {
+                int person = _lines[newest * LinesEach + i].PersonId;
+                if (IsContradicted(person))
+                    LearnAnew(person);
+            }
+        }
+
+        /// <summary>
+        /// Somebody's last shots all pass their line far off: it was learned from others' shots. Such a line holds itself up, as shots beside it
+        /// teach nothing.
+        /// </summary>
+        private bool IsContradicted(int personId)
+        {
+            int beside = 0;
+            for (int i = _count - 1; i >= 0 && beside < Contradictions; i--)
+            {
+                int at = Place(i);
+                if (_shots[at].TimeUs <= _learnedAnewUs)
+                    return false;
+                for (int k = 0; k < _shots[at].Lines; k++)
+                {
+                    ref readonly Line line = ref _lines[at * LinesEach + k];
+                    if (line.PersonId != personId || !(line.Factor > 0) || line.Claim < _settings.LearnProbability)
+                        continue;
+                    if (line.Kept > 0.5 * line.Claim)
+                        return false;
+                    beside++;
+                }
+            }
+
+            return beside == Contradictions;
+        }
+
+        /// <summary>Forgets somebody's line and learns it from the newest shot back.</summary>
+        private void LearnAnew(int personId)
+        {
+            _learnedAnewUs = _shots[Place(_count - 1)].TimeUs;
+            for (int i = 0; i < _count * LinesEach; i++)
+            {
+                ref Line line = ref _lines[Place(i / LinesEach) * LinesEach + i % LinesEach];
+                if (i % LinesEach >= _shots[Place(i / LinesEach)].Lines || line.PersonId != personId)
+                    continue;
+                _sights.Add(personId, line.Evidence, -1);
+                line.Evidence = default;
+            }
+
+            _sights.Forget(personId);
+            for (int i = _count - 1; i >= 0; i--)
+            {
+                Unlearn(Place(i));
+                Weigh(Place(i));
+            }
+        }
 
         /// <summary>Weighs some shots again, those first whose hands are known better by now.</summary>
         public void Refresh(HandHistory history, long nowUs)
@@ -186,7 +255,8 @@ namespace LaserTracking.Fusion
             {
                 ref Line line = ref _lines[at * LinesEach + i];
                 line.Evidence = default;
-                line.Share = weights[i] / sum;
+                line.Share = line.Claim = weights[i] / sum;
+                line.Kept = line.Factor > 0 ? line.Factor * cores[i] / sum : line.Claim;
                 if (!(line.Share >= _settings.LearnProbability) || !(line.Factor > 0) || !_sights.TryEyes(line.PersonId, out Vector3D eyes))
                     continue;
                 double still = 1 / (1 + (eyes - line.EyeM).LengthSquared / (MovedM * MovedM));
@@ -199,11 +269,11 @@ namespace LaserTracking.Fusion
         private bool TryDensity(in Line line, Vector3D dotM, out double density, out double core)
         {
             density = core = 0;
-            if (!_sights.TrySight(line.PersonId, line.MuzzleM, line.MuzzleSigmaM, out Vector3D sight, out double sigma))
-                return false;
             Vector3D v = dotM - line.MuzzleM;
             double lever = line.MuzzleSigmaM / Math.Max(0.1, v.Length);
-            density = ShotHandPairing.SightDensity(ShotHandPairing.AngleRad(sight, v), sigma * sigma + lever * lever, _settings, out core);
+            if (!_sights.TryMatch(line.PersonId, line.MuzzleM, line.MuzzleSigmaM, v, lever * lever, out double error, out double sigma))
+                return false;
+            density = ShotHandPairing.SightDensity(error, sigma * sigma, _settings, out core);
             return true;
         }
     }

@@ -21,7 +21,9 @@ namespace LaserTracking.Fusion
 
             /// <summary>Where the eyes were when shots were learned from; the farther off now, the less those count.</summary>
             public Vector3D LearnedAtM;
-            public double SigmaM;
+
+            /// <summary>1 / σ² of that along each axis of screen space.</summary>
+            public Vector3D Prior;
             public double ReachM;
 
             /// <summary>Of shots that are weighed no more, and of those that still are.</summary>
@@ -65,8 +67,9 @@ namespace LaserTracking.Fusion
             }
 
             _entries[at].SeenUs = timeUs;
-            _entries[at].EyeM = camera.ToScreenM(person.EyeMm);
-            _entries[at].SigmaM = person.SigmaMm * Axes.MetresPerMillimetre;
+            _entries[at].EyeM = camera.ToScreenM(person.EyeMm) + new Vector3D(0, _settings.SightHeightM, 0);
+            double beside = person.SigmaMm * Axes.MetresPerMillimetre, height = person.HeightSigmaMm > 0 ? person.HeightSigmaMm * Axes.MetresPerMillimetre : beside;
+            _entries[at].Prior = new Vector3D(1 / (beside * beside), 1 / (height * height), 1 / (beside * beside));
         }
 
         public bool TryEyes(int personId, out Vector3D eyesM)
@@ -84,22 +87,44 @@ namespace LaserTracking.Fusion
             int at = IndexOf(personId);
             if (at < 0)
                 return false;
-            ref readonly Entry e = ref _entries[at];
-            double prior = 1 / (e.SigmaM * e.SigmaM);
+            SightPivot pivot = Pivot(_entries[at]);
+            pivotM = pivot.PlaceM;
+            sigmaM = Math.Sqrt(0.5 * pivot.VarianceAcross(towards.Normalized));
+            reachM = _entries[at].ReachM;
+            return true;
+        }
+
+        private static SightPivot Pivot(in Entry e)
+        {
             SightEvidence known = e.Recent;
             known.Add(e.Old, StillShare(e));
-            Vector3D a = known.Diagonal + new Vector3D(prior, prior, prior);
-            // Inverse of a symmetric 3×3: its adjugate over its determinant.
-            double xy = known.Mixed.X, xz = known.Mixed.Y, yz = known.Mixed.Z;
-            double cxx = a.Y * a.Z - yz * yz, cyy = a.X * a.Z - xz * xz, czz = a.X * a.Y - xy * xy;
-            double cxy = xz * yz - xy * a.Z, cxz = xy * yz - xz * a.Y, cyz = xy * xz - yz * a.X;
-            double determinant = a.X * cxx + xy * cxy + xz * cxz;
-            Vector3D w = known.Weighted + e.EyeM * prior, u = towards.Normalized;
-            var sum = new Vector3D(cxx * w.X + cxy * w.Y + cxz * w.Z, cxy * w.X + cyy * w.Y + cyz * w.Z, cxz * w.X + cyz * w.Y + czz * w.Z);
-            pivotM = sum * (1 / determinant);
-            double along = cxx * u.X * u.X + cyy * u.Y * u.Y + czz * u.Z * u.Z + 2 * (cxy * u.X * u.Y + cxz * u.X * u.Z + cyz * u.Y * u.Z);
-            sigmaM = Math.Sqrt(Math.Max(0, (cxx + cyy + czz - along) / (2 * determinant)));
-            reachM = e.ReachM;
+            return SightPivot.Of(known, e.EyeM, e.Prior);
+        }
+
+        /// <summary>
+        /// How far beside the line of sight over a muzzle a direction is, as an angle and a standard deviation that give the density of the
+        /// true error, which is wider sideways and where no shot has shown the line yet. The other variance (about one axis, square radians) is added. False for an unknown person.
+        /// </summary>
+        public bool TryMatch(int personId, Vector3D muzzleM, double muzzleSigmaM, Vector3D direction, double otherVariance, out double errorRad, out double sigmaRad)
+        {
+            errorRad = sigmaRad = 0;
+            int at = IndexOf(personId);
+            if (at < 0)
+                return false;
+            ref readonly Entry e = ref _entries[at];
+            SightPivot pivot = Pivot(e);
+            Vector3D sight = muzzleM - pivot.PlaceM;
+            double reach = Math.Max(0.1, sight.Length), even = SpreadScale(e) * Expected(muzzleSigmaM, reach) + otherVariance;
+            Vector3D s = sight.Normalized, turn = Vector3D.Cross(s, direction);
+            double perSquare = 1 / (reach * reach);
+            double determinant = pivot.DeterminantAcross(s) * perSquare * perSquare + even * (pivot.VarianceAcross(s) * perSquare + even);
+            double variance = Math.Sqrt(determinant), size = turn.Length;
+            sigmaRad = Math.Sqrt(variance);
+            if (!(size > 0))
+                return true;
+            // At right angles to the error: of a narrow ellipse the long axis lets an error across it count more.
+            double besideError = pivot.VarianceAlong(turn * (1 / size)) * perSquare + even;
+            errorRad = Math.Atan2(size, Vector3D.Dot(s, direction)) * Math.Sqrt(besideError / variance);
             return true;
         }
 
@@ -155,6 +180,14 @@ namespace LaserTracking.Fusion
             e.LearnedAtM = e.Old.Diagonal.LengthSquared > 0 ? e.LearnedAtM + (e.EyeM - e.LearnedAtM) * (0.3 * probability) : e.EyeM;
             e.Old.Scale((1 - (1 - Keep) * probability) * (1 - (1 - StillShare(e)) * probability));
             e.Old.Add(evidence, 1);
+        }
+
+        /// <summary>What lines fired long ago told is no more believed.</summary>
+        public void Forget(int personId)
+        {
+            int at = IndexOf(personId);
+            if (at >= 0)
+                _entries[at].Old = default;
         }
 
         /// <summary>Notes how far from the eyes a muzzle was that fired.</summary>

@@ -75,7 +75,10 @@ namespace LaserTracking.Hands
         /// Standard deviation between the eyes as found and the point over which the weapon is aimed, along one axis: posture, the
         /// shape of the head and hair.
         /// </summary>
-        public double EyeSigmaMm { get; set; } = 60;
+        public double EyeSigmaMm { get; set; } = 45;
+
+        /// <summary>The same of the height alone: crown to eyes, hair and caps.</summary>
+        public double EyeHeightSigmaMm { get; set; } = 25;
 
         /// <summary>From the visible surface to the middle of the hand: half a palm's thickness.</summary>
         public double HandHalfThicknessMm { get; set; } = 13;
@@ -151,7 +154,7 @@ namespace LaserTracking.Hands
         {
             Check(NearMm >= 0 && FarMm > NearMm && FarMm <= 20000, "0 <= NearMm < FarMm <= 20000");
             Check(CellRad > 0.0005 && CellRad < 0.1, "CellRad between 0.0005 and 0.1");
-            Check(SurfaceStepMm > 0 && HoleMm >= 0 && ForwardMm > 0 && MinReachMm >= 0 && EyeBelowCrownMm >= 0 && EyeSigmaMm > 0 && SightSigmaRad > 0 && ForearmRadiusMm >= 0 && TorsoHalfWidthMm > 0, "lengths above zero");
+            Check(SurfaceStepMm > 0 && HoleMm >= 0 && ForwardMm > 0 && MinReachMm >= 0 && EyeBelowCrownMm >= 0 && EyeSigmaMm > 0 && EyeHeightSigmaMm > 0 && SightSigmaRad > 0 && ForearmRadiusMm >= 0 && TorsoHalfWidthMm > 0, "lengths above zero");
             Check(MinArmAreaMm2 > 0 && MaxArmAreaMm2 > MinArmAreaMm2 && MaxHandAreaMm2 > MinArmAreaMm2, "areas above zero, limits in order");
             Check(HandLengthMm > 0 && ForearmLengthMm > 0 && HandHalfThicknessMm >= 0 && MinHandWidthMm >= 0, "sizes of the hand above zero");
             Check(MaxWeaponSpreadMm >= 0 && MuzzleBeyondPalmMm >= 0 && GripToMuzzleMm >= 0 && WristSigmaRad > 0 && TwoArmsSigmaRad >= 0 && BoreAboveGripMm >= 0 && WeaponKeptMm >= 0 && WeaponKeptUs >= 0 && PalmSigmaMm > 0 && SeenMuzzleSigmaMm > 0 && MuzzleSigmaMm > 0 && CutSigmaMm > 0, "uncertainties above zero");

@@ -13,6 +13,9 @@ namespace LaserTracking.Hands
     /// </summary>
     public sealed class DepthHandTracker : IHandTracker
     {
+        /// <summary>Heads looked at over one arm: its own and a neighbour's on either side.</summary>
+        private const int MaxHeads = 3;
+
         private readonly DepthGrid _grid;
         private readonly BodySegmenter _segmenter;
         private readonly ArmFitter _fitter;
@@ -94,10 +97,12 @@ namespace LaserTracking.Hands
         private void FindPeople(long timeUs)
         {
             _people.Begin(timeUs);
+            Span<Vector3D> eyes = stackalloc Vector3D[MaxHeads];
             for (int i = 0; i < _segmenter.ArmCount; i++)
             {
-                if (_heads.TryFind(_grid, _segmenter.Owner, i, _segmenter.Arms[i].RootMm, out Vector3D eye))
-                    _people.See(eye, timeUs);
+                int found = _heads.Find(_grid, _segmenter.Owner, i, _segmenter.Arms[i].RootMm, eyes);
+                for (int k = 0; k < found; k++)
+                    _people.See(eyes[k], timeUs);
             }
 
             for (int i = 0; i < _segmenter.ArmCount; i++)

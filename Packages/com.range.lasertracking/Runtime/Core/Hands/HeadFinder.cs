@@ -4,7 +4,8 @@ using LaserTracking.Geometry;
 namespace LaserTracking.Hands
 {
     /// <summary>
-    /// Looks for the head over an arm's shoulder: the topmost surface in a box above it that belongs to no arm, of a head's width.
+    /// Looks for heads over an arm's shoulder: the topmost surface in a box above it that belongs to no arm, of a head's width, then the
+    /// next beside it: of neighbours who stand close the smaller one's head is no less theirs.
     /// Bounded work: only the cells in whose picture that box lies.
     /// </summary>
     internal sealed class HeadFinder
@@ -28,6 +29,9 @@ namespace LaserTracking.Hands
         /// <summary>A camera below the heads does not see their crowns, and the edge of what it sees is lost. Measured.</summary>
         private const double HiddenCrownMm = 60;
 
+        /// <summary>Neighbours' heads are at least so far apart; what is nearer to a head and lower is its shoulder.</summary>
+        private const double NeighbourMm = 330;
+
         private const double HeadHeightMm = 200;
         private const double HeadRadiusMm = 130;
 
@@ -47,46 +51,90 @@ namespace LaserTracking.Hands
             _upright = upright;
         }
 
-        /// <summary>The eyes in upright space, mm; false when no head is seen over this arm.</summary>
+        /// <summary>The heads seen over an arm, highest first: its own person's and those of neighbours who stand close.</summary>
         /// <param name="grid">Depth.</param>
         /// <param name="owner">Which arm each cell belongs to, as of <see cref="BodySegmenter.Owner"/>.</param>
         /// <param name="arm">The arm's number: it is not its own head.</param>
         /// <param name="rootMm">The arm's rear end, camera space.</param>
-        /// <param name="eyeMm">Between the eyes.</param>
-        public bool TryFind(DepthGrid grid, byte[] owner, int arm, Vector3D rootMm, out Vector3D eyeMm)
+        /// <param name="eyesMm">Room for the points between the eyes, upright space.</param>
+        /// <returns>How many were found.</returns>
+        public int Find(DepthGrid grid, byte[] owner, int arm, Vector3D rootMm, Span<Vector3D> eyesMm)
         {
-            eyeMm = default;
             Vector3D root = _upright.ToUpright(rootMm);
             Gather(grid, owner, arm, root);
+            int found = 0;
+            while (found < eyesMm.Length && TryHead(root.Y, out Vector3D eye))
+            {
+                // Lower ones near a head are that person's shoulders.
+                bool isWhole = Math.Abs(eye.X - root.X) <= AsideMm;
+                for (int i = 0; i < found; i++)
+                    isWhole &= Math.Abs(eyesMm[i].X - eye.X) >= NeighbourMm;
+                if (isWhole)
+                    eyesMm[found++] = eye;
+                Remove(eye.X);
+            }
+
+            return found;
+        }
+
+        private bool TryCrown(double rootY, double x, double radius, out double crown)
+        {
+            Array.Clear(_area, 0, Bins);
+            for (int i = 0; i < _count; i++)
+            {
+                if (Math.Abs(_points[i].X - x) <= radius)
+                    _area[(int)((_points[i].Y - rootY + BelowMm) / BinMm)] += _areas[i];
+            }
+
             double gathered = 0;
             int bin = Bins - 1;
             while (bin > 0 && (gathered += _area[bin]) < CrownAreaMm2)
                 bin--;
-            double crown = root.Y - BelowMm + (bin + 1) * BinMm;
-            if (crown - root.Y < MinAboveRootMm || bin == Bins - 1)
-                return false;
+            crown = rootY - BelowMm + (bin + 1) * BinMm;
+            return crown - rootY >= MinAboveRootMm && bin < Bins - 1;
+        }
+
+        private bool TryHead(double rootY, out Vector3D eye)
+        {
+            eye = default;
             Vector3D middle = default;
-            double near = 0, radius = double.MaxValue, low = crown - 2 * BinMm;
+            double near = 0, radius = double.MaxValue, deep = 2 * BinMm;
+            double crown = 0;
             for (int step = 0; step < 4; step++)
             {
-                if (!TryMean(low, crown + BinMm, middle.X, radius, out middle, out near))
+                // What else is as high beside it is somebody else's.
+                if (!TryCrown(rootY, middle.X, radius, out crown) || !TryMean(crown - deep, crown + BinMm, middle.X, radius, out middle, out near))
                     return false;
                 radius = HeadRadiusMm;
-                low = crown - HeadHeightMm;
+                deep = HeadHeightMm;
             }
 
-            eyeMm = new Vector3D(middle.X, crown + HiddenCrownMm - _settings.EyeBelowCrownMm, near + EyeDepthMm);
+            eye = new Vector3D(middle.X, crown + HiddenCrownMm - _settings.EyeBelowCrownMm, near + EyeDepthMm);
             return true;
+        }
+
+        /// <summary>Takes out what is at a head and below it.</summary>
+        private void Remove(double x)
+        {
+            int kept = 0;
+            for (int i = 0; i < _count; i++)
+            {
+                if (Math.Abs(_points[i].X - x) <= NeighbourMm - HeadRadiusMm)
+                    continue;
+                _points[kept] = _points[i];
+                _areas[kept++] = _areas[i];
+            }
+
+            _count = kept;
         }
 
         private void Gather(DepthGrid grid, byte[] owner, int arm, Vector3D root)
         {
-            Array.Clear(_area, 0, Bins);
             _count = 0;
             Vector3D centre = _upright.ToCamera(root + new Vector3D(0, (AboveMm - BelowMm) / 2, (BehindMm - BeforeMm) / 2));
             if (centre.Z < 100)
                 return;
-            double cellRad = Math.Sqrt(grid.UnitArea), half = Math.Max(AsideMm, (AboveMm + BelowMm + BehindMm) / 2) / centre.Z;
+            double cellRad = Math.Sqrt(grid.UnitArea), half = Math.Max(AsideMm + HeadRadiusMm, (AboveMm + BelowMm + BehindMm) / 2) / centre.Z;
             int reach = (int)(half / cellRad) + 1;
             int cx = (int)((centre.X / centre.Z - grid.RayX[0]) / cellRad), cy = (int)((centre.Y / centre.Z - grid.RayY[0]) / cellRad);
             int left = Math.Max(0, cx - reach), right = Math.Min(grid.Width - 1, cx + reach);
@@ -99,14 +147,12 @@ namespace LaserTracking.Hands
                     if (grid.Z[cell] == 0 || (part > 0 && part < BodySegmenter.MaybeHead) || part == BodySegmenter.MaybeHead + arm)
                         continue;
                     Vector3D d = _upright.ToUpright(grid.Point(cell)) - root;
-                    if (Math.Abs(d.X) > AsideMm || d.Y < -BelowMm || d.Y >= AboveMm || d.Z < -BeforeMm || d.Z > BehindMm)
+                    if (Math.Abs(d.X) > AsideMm + HeadRadiusMm || d.Y < -BelowMm || d.Y >= AboveMm || d.Z < -BeforeMm || d.Z > BehindMm)
                         continue;
                     if (_count == _points.Length)
                         return;
-                    double area = grid.Area(cell);
                     _points[_count] = d + root;
-                    _areas[_count++] = area;
-                    _area[(int)((d.Y + BelowMm) / BinMm)] += area;
+                    _areas[_count++] = grid.Area(cell);
                 }
             }
         }

@@ -13,5 +13,8 @@ namespace LaserTracking.Hands
 
         /// <summary>Standard deviation of that along one axis, shape and posture included.</summary>
         public double SigmaMm;
+
+        /// <summary>The same of its height, 0: as sideways. Which of the eyes aims and how the head is turned moves it sideways.</summary>
+        public double HeightSigmaMm;
     }
 }

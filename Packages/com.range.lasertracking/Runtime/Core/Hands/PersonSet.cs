@@ -12,6 +12,9 @@ namespace LaserTracking.Hands
             public Vector3D EyeMm;
             public int Sightings;
 
+            /// <summary>Of the sightings that the place is the mean of.</summary>
+            public double Weight;
+
             /// <summary>Their arms were seen, never their head.</summary>
             public bool IsHeadHidden;
             public long SeenUs;
@@ -49,6 +52,10 @@ namespace LaserTracking.Hands
 
         private const long MemoryUs = 20_000_000;
         private const int MaxWeight = 30;
+
+        /// <summary>What is so much lower or nearer than known is hardly all of the head; how much it counts nevertheless.</summary>
+        private const double HiddenStepMm = 12;
+        private const double LeastWeight = 0.02;
 
         private readonly DepthHandSettings _settings;
         private readonly UprightFrame _upright;
@@ -121,7 +128,7 @@ namespace LaserTracking.Hands
             if (best < 0)
             {
                 if (_count < _people.Length)
-                    _people[_count++] = new Person { EyeMm = eyeMm, Sightings = 1, SeenUs = timeUs };
+                    _people[_count++] = new Person { EyeMm = eyeMm, Sightings = 1, Weight = 1, SeenUs = timeUs };
                 return;
             }
 
@@ -131,6 +138,7 @@ namespace LaserTracking.Hands
             {
                 person.IsHeadHidden = false;
                 person.Sightings = 1;
+                person.Weight = 1;
                 person.EyeMm = eyeMm;
                 return;
             }
@@ -144,9 +152,18 @@ namespace LaserTracking.Hands
             }
 
             if (higher > HeadStepMm || nearer < -NearerStepMm)
+            {
                 person.Sightings = Math.Min(person.Sightings, NeededSightings);
+                person.Weight = Math.Min(person.Weight, NeededSightings);
+            }
+
             person.Sightings++;
-            person.EyeMm += (eyeMm - person.EyeMm) * (1.0 / Math.Min(MaxWeight, person.Sightings));
+
+            // With a hand or a weapon before it a head seems lower and nearer than it is.
+            double low = Math.Max(0, -higher) / HiddenStepMm, near = Math.Max(0, nearer) / HiddenStepMm;
+            double weight = LeastWeight + (1 - LeastWeight) * Math.Exp(-0.5 * (low * low + near * near));
+            person.Weight = Math.Min(MaxWeight, person.Weight + weight);
+            person.EyeMm += (eyeMm - person.EyeMm) * (weight / person.Weight);
             if (person.Id == 0 && person.Sightings >= NeededSightings)
                 person.Id = _nextId++;
         }
@@ -239,7 +256,7 @@ namespace LaserTracking.Hands
             for (int i = 0; i < _count; i++)
             {
                 if (_people[i].Id != 0)
-                    observations.Add(new PersonObservation { PersonId = _people[i].Id, EyeMm = _upright.ToCamera(_people[i].EyeMm), SigmaMm = _people[i].IsHeadHidden ? HiddenSigmaMm : _settings.EyeSigmaMm });
+                    observations.Add(new PersonObservation { PersonId = _people[i].Id, EyeMm = _upright.ToCamera(_people[i].EyeMm), SigmaMm = _people[i].IsHeadHidden ? HiddenSigmaMm : _settings.EyeSigmaMm, HeightSigmaMm = _people[i].IsHeadHidden ? HiddenSigmaMm : _settings.EyeHeightSigmaMm });
             }
         }
     }

@@ -22,6 +22,9 @@ namespace LaserTracking.Fusion
         private int _shots;
         private int _named;
 
+        /// <summary>The bore lies so far below the eyes.</summary>
+        private static readonly Vector3D Sights = new Vector3D(0, new FusionSettings().SightHeightM, 0);
+
         [SetUp]
         public void SetUp()
         {
@@ -91,7 +94,7 @@ namespace LaserTracking.Fusion
                 while (Stamp(frame) - _assignment.HandClockOffsetUs <= shot * 1e6)
                 {
                     hands.Begin(0, Stamp(frame));
-                    hands.Add(new PersonObservation { PersonId = 1, EyeMm = Camera.ToCameraMm(Eyes), SigmaMm = 60 });
+                    hands.Add(new PersonObservation { PersonId = 1, EyeMm = Camera.ToCameraMm(Eyes - Sights), SigmaMm = 60 });
                     Vector3D aim = (AimedAt(frame) - Eyes).Normalized;
                     var noise = new Vector3D(Noise(random), Noise(random), Noise(random));
                     Vector3D muzzle = Camera.ToCameraMm(Eyes + aim * ReachM) + noise;

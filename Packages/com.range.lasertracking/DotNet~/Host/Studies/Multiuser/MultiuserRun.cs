@@ -107,13 +107,17 @@ namespace LaserTracking.Host.Studies.Multiuser
 
             Dictionary<int, int> meant = Meant(pairs);
             var last = new Dictionary<int, int>();
+            var right = new Dictionary<int, int>();
             foreach ((ShotEvent said, TrueShot fired) in pairs.OrderBy(p => p.Fired.SceneTimeUs))
             {
                 bool isSwitch = said.Shooter > 0 && last.TryGetValue(fired.Shooter, out int before) && before != said.Shooter;
                 if (said.Shooter > 0)
                     last[fired.Shooter] = said.Shooter;
                 TrueHand hand = _range.Truth.HandAt(fired.Shooter, fired.SceneTimeUs);
-                Shots.Add(new NamedShot(said, fired, meant.GetValueOrDefault(said.Shooter), isSwitch, IsInView(hand)));
+                int person = meant.GetValueOrDefault(said.Shooter), known = right.GetValueOrDefault(fired.Shooter);
+                bool isRight = said.Shooter > 0 && person == fired.Shooter, isArmSeen = IsInView(hand);
+                right[fired.Shooter] = known + (isRight ? 1 : 0);
+                Shots.Add(new NamedShot(said, fired, person, isSwitch, isArmSeen, isRight ? "" : MissReason.Of(_range, fired, isArmSeen, _hands, known)));
             }
         }
 

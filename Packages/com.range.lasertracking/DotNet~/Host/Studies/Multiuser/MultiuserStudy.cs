@@ -40,6 +40,8 @@ namespace LaserTracking.Host.Studies.Multiuser
                 if (tallies[i].Shots.Count == 0)
                     continue;
                 tallies[i].Write(cases[i].Name, table);
+                if (tallies[i].Reasons() is { Length: > 0 } reasons)
+                    table.Notes.Add(FormattableString.Invariant($"not right, {cases[i].Name}: {reasons}"));
                 named.AddRange(tallies[i].Shots.Where(s => s.IsNamed).Select(s => (s.Said.ShooterProbability, s.IsRight)));
             }
 
@@ -54,7 +56,7 @@ namespace LaserTracking.Host.Studies.Multiuser
             foreach (NamedShot shot in run.Shots.Where(s => s.IsNamed && !s.IsRight))
             {
                 if (table.Notes.Count < MaxNamed)
-                    table.Notes.Add(FormattableString.Invariant($"wrong: {situation.Name}, seed {seed}, {shot.Fired.SceneTimeUs / 1e6:F2} s at {shot.Fired.ScreenM.X:F2},{shot.Fired.ScreenM.Y:F2} m: person {shot.Fired.Shooter} taken for {shot.Meant} (number {shot.Said.Shooter}) with {shot.Said.ShooterProbability:F3}, arm {(shot.IsArmSeen ? "in view" : "out of view")}"));
+                    table.Notes.Add(FormattableString.Invariant($"wrong: {situation.Name}, seed {seed}, {shot.Fired.SceneTimeUs / 1e6:F2} s at {shot.Fired.ScreenM.X:F2},{shot.Fired.ScreenM.Y:F2} m: person {shot.Fired.Shooter} taken for {shot.Meant} (number {shot.Said.Shooter}) with {shot.Said.ShooterProbability:F3}, {shot.WhyNot}"));
             }
         }
     }

@@ -27,6 +27,10 @@ namespace LaserTracking.Host.Studies.Multiuser
             _tracks.Add(run.Tracks);
         }
 
+        /// <summary>How many shots were unknown or wrong for which reason, most frequent first; empty where none was.</summary>
+        public string Reasons() => string.Join("; ", _shots.Where(s => !s.IsRight).GroupBy(s => s.WhyNot).OrderByDescending(g => g.Count()).ThenBy(g => g.Key, StringComparer.Ordinal)
+            .Select(g => FormattableString.Invariant($"{g.Key} {g.Count()} ({g.Count(s => s.IsNamed)} wrong)")));
+
         public void Write(string name, StudyTable table)
         {
             double[] muzzles = _shots.Where(s => s.HasRightMuzzle && s.IsArmSeen).Select(s => s.MuzzleErrorMm).ToArray();

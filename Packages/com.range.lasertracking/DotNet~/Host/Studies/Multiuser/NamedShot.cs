@@ -12,7 +12,8 @@ namespace LaserTracking.Host.Studies.Multiuser
     /// <param name="Meant">The person whom the reported number stands for, from 1; 0: nobody was named.</param>
     /// <param name="IsSwitch">This person's last named shot had another number.</param>
     /// <param name="IsArmSeen">Forearm, hand and muzzle lie in camera 1's view.</param>
-    internal sealed record NamedShot(ShotEvent Said, TrueShot Fired, int Meant, bool IsSwitch, bool IsArmSeen)
+    /// <param name="WhyNot">Why it was not named rightly; empty where it was.</param>
+    internal sealed record NamedShot(ShotEvent Said, TrueShot Fired, int Meant, bool IsSwitch, bool IsArmSeen, string WhyNot)
     {
         public bool IsNamed => Said.Shooter > 0;
 
