@@ -136,6 +136,7 @@ namespace LaserTracking.Fusion
             Check(SwingShare > 0 && SwingShare < 1 && IdleSwingShare > 0 && IdleSwingShare < 1 && SwingMPerS > 0, "SwingShare and IdleSwingShare between 0 and 1, SwingMPerS above zero");
             Check(LearnProbability >= 0 && LearnProbability <= 1 && SpreadShots > 0 && MinSpreadScale > 0 && OwnShare >= 0 && OwnShare <= 1, "LearnProbability and OwnShare 0…1, SpreadShots and MinSpreadScale above zero");
             Check(SightedShare >= 0 && SightedShare <= 1 && SightSpreadRad >= 0, "SightedShare 0…1, SightSpreadRad not negative");
+            Check(Math.Abs(SightHeightM) <= 1, "SightHeightM at most 1 m up or down");
             Check(PoorSightShare >= 0 && PoorSightShare < 1 && BentArmShare > 0 && BentArmShare <= 1, "PoorSightShare 0…1, BentArmShare above 0, at most 1");
             Check(OutlierShare >= 0 && OutlierShare < 1, "OutlierShare at least 0, below 1");
             Check(NobodyPrior > 0 && NobodyPrior < 1, "NobodyPrior between 0 and 1");
