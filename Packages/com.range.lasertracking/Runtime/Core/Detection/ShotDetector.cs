@@ -173,10 +173,10 @@ namespace LaserTracking.Detection
             detections.PredictedDelayUs = _expected?.DelayUs;
             if (_isPredicted)
                 SearchAboveExpected(image, view, _expected!, detections);
+            else
+                KeepResting(image, view, detections);
             SearchPlane(image, view, DetectionPlane.Smallest, _planes.SmallestTiles, GateFloor, detections);
             SearchPlane(image, view, DetectionPlane.Largest, _planes.LargestTiles, GateFloor, detections);
-            if (!_isPredicted)
-                KeepResting(image, view, detections);
             AddWaiting(image, view, detections);
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
