@@ -3,8 +3,9 @@ using System;
 namespace LaserTracking.Detection
 {
     /// <summary>
-    /// Finds a dot again that rests where the picture behind it has changed: its rise above its pixels' past says nothing then, but it
-    /// still stands out from what lies around it. That is made its past, so that it is grown and measured like any other dot.
+    /// Finds dots that rest again, before anything new is looked for. Where the picture behind one has changed its rise above its
+    /// pixels' past says nothing, but it still stands out from what lies around it. That is made its past, so that it is grown and
+    /// measured like any other dot.
     /// </summary>
     internal sealed unsafe class RestingDots
     {
@@ -29,7 +30,7 @@ namespace LaserTracking.Detection
             _memory = memory;
         }
 
-        /// <summary>The next dot that rests unseen so far; dots that cannot be seen but may be there are kept in memory.</summary>
+        /// <summary>The next dot that still rests; dots that cannot be seen but may be there are kept in memory.</summary>
         /// <param name="view">The frame. Where a dot is looked for its past becomes what is around it.</param>
         /// <param name="noise">Temporal noise, levels.</param>
         /// <param name="timeUs">Of the frame, microseconds.</param>
@@ -40,11 +41,20 @@ namespace LaserTracking.Detection
         {
             while (_memory.TryNextLost(ref index, out known))
             {
-                if (!known.IsResting || !known.IsConclusive || IsAsBefore(view, known, noise))
+                if (!known.IsResting || !known.IsConclusive)
                     continue;
+                if (IsAsBefore(view, known, noise))
+                {
+                    if (Stands(view, known, noise, out candidate))
+                        return true;
+                    continue;
+                }
+
                 RememberedDot place = known.Within(MaxStep);
                 if (HasGoneOut(view, place, noise, out bool isSameAround))
                     continue;
+                Fill(view, view.OldSmallest, place, RingLevel(view, view.Now, place, DetectionPlane.Smallest));
+                Fill(view, view.OldLargest, place, RingLevel(view, view.Now, place, DetectionPlane.Largest));
                 if (Stands(view, place, noise, out candidate))
                     return true;
                 if (!isSameAround && timeUs - known.LastTimeUs < MaxHiddenUs)
@@ -84,11 +94,10 @@ namespace LaserTracking.Detection
             return isSameAround && PeakLevel(view, view.Before, dot) - PeakLevel(view, view.Now, dot) > dot.PeakRise / 2;
         }
 
+        /// <summary>Its light rises above its past half as far as before at least, in one piece of its size.</summary>
         private bool Stands(in FrameView view, in RememberedDot dot, double noise, out Candidate candidate)
         {
-            candidate = new Candidate { Plane = dot.Plane, SeedX = -1 };
-            Fill(view, view.OldSmallest, dot, RingLevel(view, view.Now, dot, DetectionPlane.Smallest));
-            Fill(view, view.OldLargest, dot, RingLevel(view, view.Now, dot, DetectionPlane.Largest));
+            candidate = new Candidate { Plane = dot.Plane, SeedX = -1, MayBeContent = dot.MayBeContent };
             for (int y = Math.Max(0, dot.Top + 1); y <= Math.Min(view.Height - 1, dot.Bottom - 1); y++)
             {
                 for (int x = Math.Max(0, dot.Left + 1); x <= Math.Min(view.Width - 1, dot.Right - 1); x++)
