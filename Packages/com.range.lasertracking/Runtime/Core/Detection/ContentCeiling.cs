@@ -10,6 +10,7 @@ namespace LaserTracking.Detection
     /// </summary>
     internal sealed class ContentCeiling
     {
+        /// <summary>Every fourth pixel of every fourth row of a picture 640 wide is looked at; as many of a larger one.</summary>
         private const int Step = 4;
 
         /// <summary>One sample in this many may be brighter: less than two hundred pixels of a picture 640 wide, a dot or two.</summary>
@@ -40,7 +41,7 @@ namespace LaserTracking.Detection
 
         public void Update(in FrameView view)
         {
-            int count = _histogram.Count(view, false, Step), level = 255;
+            int count = _histogram.Count(view, false, Math.Max(Step, Step * view.Width / 640)), level = 255;
             ReadOnlySpan<int> histogram = _histogram.Counts;
             for (int above = histogram[255]; level > 0 && above * Rarity <= count; above += histogram[level])
                 level--;
