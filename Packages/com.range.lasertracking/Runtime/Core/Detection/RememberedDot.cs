@@ -57,6 +57,7 @@ namespace LaserTracking.Detection
         /// <summary>It was brighter than the projected picture can be: what is not any more is what lies there now, not the dot.</summary>
         public bool WasAboveContent;
 
+        /// <summary>On for longer than nearly all flashes.</summary>
         public bool IsResting => LastTimeUs - FirstTimeUs >= RestUs;
 
         /// <summary>Found again in the frame being processed.</summary>
