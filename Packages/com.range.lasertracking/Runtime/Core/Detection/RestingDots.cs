@@ -70,17 +70,14 @@ namespace LaserTracking.Detection
         {
             double tolerance = 4 * noise + 4;
             int changed = 0, count = 0;
-            for (int y = Math.Max(0, dot.Top); y <= Math.Min(view.Height - 1, dot.Bottom); y++)
+            for (int n = 0; n < RingLength(dot); n++)
             {
-                int step = y == dot.Top || y == dot.Bottom ? 1 : dot.Right - dot.Left;
-                for (int x = dot.Left; x <= dot.Right; x += step)
-                {
-                    if (x < 0 || x >= view.Width)
-                        continue;
-                    count++;
-                    if (Math.Abs(view.Rise(y * view.Width + x, dot.Plane)) > tolerance)
-                        changed++;
-                }
+                int i = RingPixel(view, dot, n);
+                if (i < 0)
+                    continue;
+                count++;
+                if (Math.Abs(view.Rise(i, dot.Plane)) > tolerance)
+                    changed++;
             }
 
             return changed <= (1 - RingQuantile) * count;
@@ -137,22 +134,31 @@ namespace LaserTracking.Detection
         {
             Array.Clear(_histogram, 0, _histogram.Length);
             int count = 0;
-            for (int y = Math.Max(0, dot.Top); y <= Math.Min(view.Height - 1, dot.Bottom); y++)
+            for (int n = 0; n < RingLength(dot); n++)
             {
-                int step = y == dot.Top || y == dot.Bottom ? 1 : dot.Right - dot.Left;
-                for (int x = dot.Left; x <= dot.Right; x += step)
-                {
-                    if (x < 0 || x >= view.Width)
-                        continue;
-                    _histogram[FrameView.Level(picture[y * view.Width + x], plane)]++;
-                    count++;
-                }
+                int i = RingPixel(view, dot, n);
+                if (i < 0)
+                    continue;
+                _histogram[FrameView.Level(picture[i], plane)]++;
+                count++;
             }
 
             int level = 0;
             for (int below = _histogram[0]; below < RingQuantile * count && level < 255; below += _histogram[level])
                 level++;
             return level;
+        }
+
+        /// <summary>Pixels of the box's border, those beyond the picture's edge included.</summary>
+        private static int RingLength(in RememberedDot dot) => 2 * (dot.Right - dot.Left + dot.Bottom - dot.Top);
+
+        /// <summary>The index of one of them, clockwise from the upper left; -1 beyond the picture's edge.</summary>
+        private static int RingPixel(in FrameView view, in RememberedDot dot, int n)
+        {
+            int across = dot.Right - dot.Left, down = dot.Bottom - dot.Top, half = across + down;
+            int along = n % half, dx = Math.Min(along, across), dy = along - dx;
+            int x = n < half ? dot.Left + dx : dot.Right - dx, y = n < half ? dot.Top + dy : dot.Bottom - dy;
+            return x < 0 || y < 0 || x >= view.Width || y >= view.Height ? -1 : y * view.Width + x;
         }
 
         private static int PeakLevel(in FrameView view, uint* picture, in RememberedDot dot)

@@ -18,16 +18,7 @@ namespace LaserTracking.Detection
             SimulationScenario scenario = MovingRange.Scenario(seed, 9);
             scenario.Shots.Add(new ShotSettings { TimeS = 2.5, PulseMs = 6000, ScreenM = new Vector2D(1.4, 0.8) });
             var range = new MovingRange(scenario);
-            int seen = 0, shown = 0;
-            range.Play(false, (frame, tracker) =>
-            {
-                foreach (TrueDot dot in range.Truth.DotsOf(frame.Index))
-                {
-                    shown++;
-                    foreach (TrackedDot tracked in tracker.Dots)
-                        seen += (tracked.Dot.PositionPx - dot.PositionPx).Length < 3 ? 1 : 0;
-                }
-            });
+            range.PlayAndCount(false, out int shown, out int seen);
             Assert.That(range.Shots.Count(s => s.FirstFrameIndex > 2 * FramesPerSecond), Is.EqualTo(1));
             Assert.That(shown, Is.GreaterThan(170));
             Assert.That(seen, Is.GreaterThanOrEqualTo(0.95 * shown));

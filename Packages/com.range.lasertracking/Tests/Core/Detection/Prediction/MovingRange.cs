@@ -56,6 +56,23 @@ namespace LaserTracking.Detection
 
         public IFrameSource CreatePictures() => _pictures.CreatePictureSource();
 
+        /// <summary>Plays to the end; counts the dots shown, and those of them that the tracker has within 3 px in the same frame.</summary>
+        public void PlayAndCount(bool useExpected, out int shown, out int seen)
+        {
+            int all = 0, near = 0;
+            Play(useExpected, (frame, tracker) =>
+            {
+                foreach (TrueDot dot in Truth.DotsOf(frame.Index))
+                {
+                    all++;
+                    foreach (TrackedDot tracked in tracker.Dots)
+                        near += (tracked.Dot.PositionPx - dot.PositionPx).Length < 3 ? 1 : 0;
+                }
+            });
+            shown = all;
+            seen = near;
+        }
+
         /// <summary>Plays to the end; the action sees each frame after it was processed, with the dots tracked in it.</summary>
         public void Play(bool useExpected = true, Action<Frame, ShotTracker>? after = null)
         {
