@@ -22,20 +22,17 @@ namespace LaserTracking.Fusion
         /// <summary>Less likely hypotheses are not remembered.</summary>
         private const double MinRemembered = 0.01;
 
-        /// <summary>Of one person's sightings those count that are hardly older than the nearest.</summary>
-        private const long SameTimeUs = 50_000;
-
         private readonly HandCamera _camera;
         private readonly FusionSettings _settings;
         private readonly HandHistory _history;
         private readonly SightLines _sights;
         private readonly ShotMemory _memory;
+        private readonly HandOwners _owners;
         private readonly PairedHand[] _hands;
         private readonly int[] _keys;
         private readonly double[] _weights;
         private readonly FusedShot[] _pairs;
         private readonly double[] _sightShares;
-        private readonly double[] _shares;
         private int _handCount;
 
         /// <summary>For when the hands were gathered last; shots of one frame share it.</summary>
@@ -54,7 +51,7 @@ namespace LaserTracking.Fusion
             _weights = new double[settings.MaxShots * settings.MaxHands];
             _pairs = new FusedShot[_weights.Length];
             _sightShares = new double[_weights.Length];
-            _shares = new double[settings.MaxHands];
+            _owners = new HandOwners(camera, settings, _sights);
         }
 
         public HandHistory History => _history;
@@ -117,6 +114,7 @@ namespace LaserTracking.Fusion
         public void Weigh(int row, in Shot shot, Vector2D screenM)
         {
             GatherHands(shot.TimeUs);
+            _owners.ShareOut(new ReadOnlySpan<PairedHand>(_hands, 0, _handCount), Keys);
             int first = row * _settings.MaxHands;
             double sum = 0;
             for (int k = 0; k < Columns; k++)
@@ -124,7 +122,7 @@ namespace LaserTracking.Fusion
             for (int k = 0; k < Columns; k++)
             {
                 double prior = (1 - _settings.NobodyPrior) * (_keys[k] > 0 ? 1 : _settings.StrangerShare) / sum;
-                _weights[first + k] = prior * Likelihood(_keys[k], screenM, out _pairs[first + k], out _sightShares[first + k]) * _sights.ColorFactor(_keys[k], shot.Dot.Color);
+                _weights[first + k] = prior * Likelihood(k, screenM, out _pairs[first + k], out _sightShares[first + k]) * _sights.ColorFactor(_keys[k], shot.Dot.Color);
             }
         }
 
@@ -183,30 +181,24 @@ namespace LaserTracking.Fusion
         }
 
         /// <summary>Density of this dot, per m² of the screen, if it is this column's; the pair is that of their likeliest hand.</summary>
-        private double Likelihood(int key, Vector2D screenM, out FusedShot best, out double sightShare)
+        private double Likelihood(int column, Vector2D screenM, out FusedShot best, out double sightShare)
         {
+            int key = _keys[column];
             best = default;
             sightShare = 0;
-            long nearest = long.MaxValue;
+            double sum = 0, highest = 0, shares = 0, weapon = _owners.WeaponShare(column);
             for (int i = 0; i < _handCount; i++)
             {
-                _shares[i] = Share(_hands[i].Hand, key);
-                if (_shares[i] > 0)
-                    nearest = Math.Min(nearest, Math.Abs(_hands[i].DeltaUs));
-            }
-
-            double sum = 0, highest = 0, shares = 0;
-            for (int i = 0; i < _handCount; i++)
-            {
-                double share = _shares[i];
-                if (!(share > 0) || Math.Abs(_hands[i].DeltaUs) > nearest + SameTimeUs)
+                double share = _owners.Share(column, i);
+                if (!(share > 0))
                     continue;
                 shares += share;
                 PairedHand hand = CarriedOn(_hands[i]);
                 if (!ShotHandPairing.TryPair(hand, screenM, _camera, _settings, out FusedShot pair))
                     continue;
                 Match(key, screenM, ref hand, ref pair);
-                double density = share * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings, out double bySight) * Stillness(hand, pair);
+                double density = share * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings, out double bySight, _owners.BearingFit(hand.Hand, pair.Direction))
+                    * Stillness(hand, pair);
                 sum += density;
                 if (density <= highest)
                     continue;
@@ -218,7 +210,7 @@ namespace LaserTracking.Fusion
             double seen = shares > 0 ? sum / Math.Max(1, shares) : 0;
             if (key < 0)
                 return seen;
-            double hidden = HiddenShare(key, screenM);
+            double hidden = HiddenShare(key, screenM, weapon);
             double unseen = hidden / _settings.ScreenAreaM2;
             double total = (1 - hidden) * seen + unseen;
             sightShare *= (1 - hidden) * highest / Math.Max(1, shares) / total;
@@ -240,24 +232,13 @@ namespace LaserTracking.Fusion
             return (1 - swings) * (1 - _settings.SwingShare) / (1 - _settings.IdleSwingShare) + swings * _settings.SwingShare / _settings.IdleSwingShare;
         }
 
-        /// <summary>How much a hand counts as this column's: its own one fully, a neighbour's at an arm's length from these eyes less.</summary>
-        private double Share(in HandObservation hand, int key)
-        {
-            int own = KeyOf(hand);
-            if (key < 0)
-                return own == key ? 1 : 0;
-            Vector3D muzzle = _camera.ToScreenM(hand.MuzzleMm);
-            if (!_sights.TryEyes(key, out Vector3D eyes) || !_sights.TryPivot(key, muzzle - eyes, out Vector3D pivot, out _, out double reach))
-                return own == key ? 1 : 0;
-            double off = ((muzzle - pivot).Length - reach) / _settings.ReachSigmaM;
-            double share = Math.Exp(-0.5 * off * off);
-            return own == key ? Math.Max(_settings.OwnShare, share) : share < 0.02 ? 0 : _settings.NeighbourShare * share;
-        }
-
         /// <summary>
         /// Probability that camera 1 does not see the hand that fires at this point: it would be before the eyes towards that point,
-        /// which is in the picture or not.
+        /// which is in the picture or not. Whose weapon is seen elsewhere has no other.
         /// </summary>
+        private double HiddenShare(int personId, Vector2D screenM, double weaponSeen) =>
+            weaponSeen * _settings.SecondWeaponShare + (1 - weaponSeen) * HiddenShare(personId, screenM);
+
         private double HiddenShare(int personId, Vector2D screenM)
         {
             if (!_sights.TryEyes(personId, out Vector3D eyes))

@@ -25,6 +25,7 @@ namespace LaserTracking.Fusion
             /// <summary>1 / σ² of that along each axis of screen space.</summary>
             public Vector3D Prior;
             public double ReachM;
+            public double ReachVariance;
 
             /// <summary>Of shots that are weighed no more, and of those that still are.</summary>
             public SightEvidence Old;
@@ -38,6 +39,9 @@ namespace LaserTracking.Fusion
 
         /// <summary>Weight of older shots at each new one: posture changes over some twenty.</summary>
         private const double Keep = 0.95;
+
+        /// <summary>Least weight of another shot for an arm's reach: posture changes.</summary>
+        private const double MinReachGain = 0.1;
 
         /// <summary>Who moved that far has half forgotten how they stood.</summary>
         private const double MovedM = 0.2;
@@ -63,7 +67,7 @@ namespace LaserTracking.Fusion
             if (at < 0)
             {
                 at = _count < Capacity ? _count++ : Oldest();
-                _entries[at] = new Entry { PersonId = person.PersonId, ReachM = _settings.ReachM };
+                _entries[at] = new Entry { PersonId = person.PersonId, ReachM = _settings.ReachM, ReachVariance = _settings.ReachSigmaM * _settings.ReachSigmaM };
             }
 
             _entries[at].SeenUs = timeUs;
@@ -190,12 +194,31 @@ namespace LaserTracking.Fusion
                 _entries[at].Old = default;
         }
 
-        /// <summary>Notes how far from the eyes a muzzle was that fired.</summary>
+        /// <summary>Notes how far from the point they aim over a muzzle was that fired.</summary>
         public void NoteReach(int personId, Vector3D muzzleM, double probability)
         {
             int at = IndexOf(personId);
-            if (at >= 0)
-                _entries[at].ReachM += 0.2 * probability * ((muzzleM - _entries[at].EyeM).Length - _entries[at].ReachM);
+            if (at < 0)
+                return;
+            ref Entry e = ref _entries[at];
+            double spread = _settings.ReachSpreadM * _settings.ReachSpreadM;
+            double gain = probability * Math.Max(MinReachGain, e.ReachVariance / (e.ReachVariance + spread));
+            e.ReachM += gain * ((muzzleM - Pivot(e).PlaceM).Length - e.ReachM);
+            e.ReachVariance = Math.Max(e.ReachVariance * (1 - gain), MinReachGain * spread);
+        }
+
+        /// <summary>How well a muzzle there fits this person's arm, as a standard normal error; false for an unknown person.</summary>
+        public bool TryReachError(int personId, Vector3D muzzleM, out double errors, out Vector3D sight)
+        {
+            errors = 0;
+            sight = default;
+            int at = IndexOf(personId);
+            if (at < 0)
+                return false;
+            ref readonly Entry e = ref _entries[at];
+            sight = muzzleM - Pivot(e).PlaceM;
+            errors = (sight.Length - e.ReachM) / Math.Sqrt(e.ReachVariance + _settings.ReachSpreadM * _settings.ReachSpreadM);
+            return true;
         }
 
         /// <summary>Notes a shot's colour, as a part of a shot.</summary>
