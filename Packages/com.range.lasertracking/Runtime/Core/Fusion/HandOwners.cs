@@ -11,8 +11,21 @@ namespace LaserTracking.Fusion
     /// </summary>
     internal sealed class HandOwners
     {
+        /// <summary>A column's point of aim and how far before it they hold a weapon; not known of a hand without a person.</summary>
+        private struct Arm
+        {
+            public bool IsKnown;
+            public Vector3D PivotM;
+            public double ReachM;
+            public double ReachSigmaM;
+        }
+
         /// <summary>A muzzle known worse than this was not seen.</summary>
         private const double WeaponSigmaMm = 25;
+
+        /// <summary>Nor was a hand known worse than this. One that is seen without its weapon, lowered or end-on, mostly is the one that holds it.</summary>
+        private const double HandSigmaMm = 60;
+        private const double HandShare = 0.8;
 
         /// <summary>A sighting farther off in time says no more where the weapon is: two frames of the slowest camera 1.</summary>
         private const long SameTimeUs = 50_000;
@@ -29,7 +42,9 @@ namespace LaserTracking.Fusion
 
         /// <summary>Column by column, <see cref="FusionSettings.MaxHands"/> wide.</summary>
         private readonly double[] _owned;
+        private readonly Arm[] _arms;
         private readonly double[] _weapons;
+        private readonly double[] _visible;
         private readonly bool[] _isWeaponSeen;
 
         public HandOwners(HandCamera camera, FusionSettings settings, SightLines sights)
@@ -38,7 +53,9 @@ namespace LaserTracking.Fusion
             _settings = settings;
             _sights = sights;
             _owned = new double[settings.MaxHands * settings.MaxHands];
+            _arms = new Arm[settings.MaxHands];
             _weapons = new double[settings.MaxHands];
+            _visible = new double[settings.MaxHands];
             _isWeaponSeen = new bool[settings.MaxHands];
         }
 
@@ -47,24 +64,15 @@ namespace LaserTracking.Fusion
         public void ShareOut(ReadOnlySpan<PairedHand> hands, ReadOnlySpan<int> keys)
         {
             Array.Clear(_weapons, 0, _weapons.Length);
+            Array.Clear(_visible, 0, _visible.Length);
+            for (int k = 0; k < keys.Length; k++)
+                _arms[k].IsKnown = keys[k] > 0 && _sights.TryReach(keys[k], out _arms[k].PivotM, out _arms[k].ReachM, out _arms[k].ReachSigmaM);
             for (int i = 0; i < hands.Length; i++)
-            {
-                _isWeaponSeen[i] = Math.Abs(hands[i].DeltaUs) <= SameTimeUs && hands[i].Hand.MuzzleSigmaMm <= WeaponSigmaMm;
-                double sum = 0;
-                for (int k = 0; k < keys.Length; k++)
-                    sum += _owned[k * _settings.MaxHands + i] = Weight(hands[i].Hand, keys[k]);
-                for (int k = 0; sum > 0 && k < keys.Length; k++)
-                {
-                    ref double owned = ref _owned[k * _settings.MaxHands + i];
-                    owned /= sum;
-                    if (_isWeaponSeen[i])
-                        _weapons[k] = Math.Min(1, _weapons[k] + owned);
-                }
-            }
+                ShareOut(i, hands[i], keys);
         }
 
-        /// <summary>Probability that the weapon of a column is among those seen just then.</summary>
-        public double WeaponShare(int column) => _weapons[column];
+        /// <summary>Probability that the hand with which a column would fire is among those seen just then.</summary>
+        public double Visible(int column) => _visible[column];
 
         /// <summary>Probability that a hand is the one with which this column fires.</summary>
         public double Share(int column, int hand) =>
@@ -77,22 +85,45 @@ namespace LaserTracking.Fusion
             if (weapon.LengthSquared == 0)
                 return 1;
             double turn = Math.Atan2(weapon.X * direction.Z - weapon.Z * direction.X, weapon.X * direction.X + weapon.Z * direction.Z);
-            return Fit(turn / _settings.BearingSigmaRad);
+            double errors = turn / _settings.BearingSigmaRad;
+            return AtLeast(Math.Exp(-0.5 * errors * errors));
         }
 
-        private double Weight(in HandObservation hand, int key)
+        private void ShareOut(int i, in PairedHand pair, ReadOnlySpan<int> keys)
+        {
+            bool isNow = Math.Abs(pair.DeltaUs) <= SameTimeUs;
+            _isWeaponSeen[i] = isNow && pair.Hand.MuzzleSigmaMm <= WeaponSigmaMm;
+            bool isHandSeen = isNow && pair.Hand.MuzzleSigmaMm <= HandSigmaMm;
+            Vector3D muzzle = _camera.ToScreenM(pair.Hand.MuzzleMm);
+            double sum = 0;
+            for (int k = 0; k < keys.Length; k++)
+                sum += _owned[k * _settings.MaxHands + i] = Weight(pair.Hand, muzzle, keys[k], _arms[k]);
+            for (int k = 0; sum > 0 && k < keys.Length; k++)
+            {
+                ref double owned = ref _owned[k * _settings.MaxHands + i];
+                owned /= sum;
+                if (_isWeaponSeen[i])
+                    _weapons[k] = Math.Min(1, _weapons[k] + owned);
+                double hand = isHandSeen && !_isWeaponSeen[i] && owned > 0 ? HandShare * owned * ReachFit(muzzle, _arms[k]) : 0;
+                _visible[k] = Math.Max(_visible[k], Math.Max(_weapons[k], hand));
+            }
+        }
+
+        private double Weight(in HandObservation hand, Vector3D muzzleM, int key, in Arm arm)
         {
             bool isOwn = ShotHypotheses.KeyOf(hand) == key;
-            if (key < 0)
+            if (!arm.IsKnown)
                 return isOwn ? 1 : 0;
-            double weight = isOwn ? 1 : _settings.NeighbourShare;
-            if (_sights.TryReachError(key, _camera.ToScreenM(hand.MuzzleMm), out double errors, out Vector3D sight))
-                weight *= Fit(errors) * BearingFit(hand, sight);
-            else if (!isOwn)
-                return 0;
+            double weight = (isOwn ? 1 : _settings.NeighbourShare) * AtLeast(ReachFit(muzzleM, arm)) * BearingFit(hand, muzzleM - arm.PivotM);
             return weight < MinShare ? 0 : weight;
         }
 
-        private static double Fit(double errors) => MisfitShare + (1 - MisfitShare) * Math.Exp(-0.5 * errors * errors);
+        private static double ReachFit(Vector3D muzzleM, in Arm arm)
+        {
+            double errors = ((muzzleM - arm.PivotM).Length - arm.ReachM) / arm.ReachSigmaM;
+            return Math.Exp(-0.5 * errors * errors);
+        }
+
+        private static double AtLeast(double fit) => MisfitShare + (1 - MisfitShare) * fit;
     }
 }

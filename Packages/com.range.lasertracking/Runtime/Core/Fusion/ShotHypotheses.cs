@@ -186,7 +186,7 @@ namespace LaserTracking.Fusion
             int key = _keys[column];
             best = default;
             sightShare = 0;
-            double sum = 0, highest = 0, shares = 0, weapon = _owners.WeaponShare(column);
+            double sum = 0, highest = 0, shares = 0;
             for (int i = 0; i < _handCount; i++)
             {
                 double share = _owners.Share(column, i);
@@ -210,7 +210,7 @@ namespace LaserTracking.Fusion
             double seen = shares > 0 ? sum / Math.Max(1, shares) : 0;
             if (key < 0)
                 return seen;
-            double hidden = HiddenShare(key, screenM, weapon);
+            double hidden = HiddenShare(key, screenM, _owners.Visible(column));
             double unseen = hidden / _settings.ScreenAreaM2;
             double total = (1 - hidden) * seen + unseen;
             sightShare *= (1 - hidden) * highest / Math.Max(1, shares) / total;
@@ -234,10 +234,10 @@ namespace LaserTracking.Fusion
 
         /// <summary>
         /// Probability that camera 1 does not see the hand that fires at this point: it would be before the eyes towards that point,
-        /// which is in the picture or not. Whose weapon is seen elsewhere has no other.
+        /// which is in the picture or not. Whose hand is seen elsewhere has no other.
         /// </summary>
-        private double HiddenShare(int personId, Vector2D screenM, double weaponSeen) =>
-            weaponSeen * _settings.SecondWeaponShare + (1 - weaponSeen) * HiddenShare(personId, screenM);
+        private double HiddenShare(int personId, Vector2D screenM, double visible) =>
+            visible * _settings.SecondWeaponShare + (1 - visible) * HiddenShare(personId, screenM);
 
         private double HiddenShare(int personId, Vector2D screenM)
         {

@@ -207,17 +207,18 @@ namespace LaserTracking.Fusion
             e.ReachVariance = Math.Max(e.ReachVariance * (1 - gain), MinReachGain * spread);
         }
 
-        /// <summary>How well a muzzle there fits this person's arm, as a standard normal error; false for an unknown person.</summary>
-        public bool TryReachError(int personId, Vector3D muzzleM, out double errors, out Vector3D sight)
+        /// <summary>The point this person aims over, how far from it their muzzle is when they do, and the standard deviation of that; false for an unknown person.</summary>
+        public bool TryReach(int personId, out Vector3D pivotM, out double reachM, out double sigmaM)
         {
-            errors = 0;
-            sight = default;
             int at = IndexOf(personId);
+            pivotM = default;
+            reachM = sigmaM = 0;
             if (at < 0)
                 return false;
             ref readonly Entry e = ref _entries[at];
-            sight = muzzleM - Pivot(e).PlaceM;
-            errors = (sight.Length - e.ReachM) / Math.Sqrt(e.ReachVariance + _settings.ReachSpreadM * _settings.ReachSpreadM);
+            pivotM = Pivot(e).PlaceM;
+            reachM = e.ReachM;
+            sigmaM = Math.Sqrt(e.ReachVariance + _settings.ReachSpreadM * _settings.ReachSpreadM);
             return true;
         }
 
