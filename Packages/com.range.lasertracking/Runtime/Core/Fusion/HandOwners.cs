@@ -30,8 +30,11 @@ namespace LaserTracking.Fusion
         /// <summary>A sighting farther off in time says no more where the weapon is: two frames of the slowest camera 1.</summary>
         private const long SameTimeUs = 50_000;
 
-        /// <summary>How much a hand still counts however badly it fits: a lowered weapon, a bent elbow, a bearing taken from two arms.</summary>
+        /// <summary>How much one's own hand still counts however badly it fits: a lowered weapon, a bent elbow, a bearing taken from two arms.</summary>
         private const double MisfitShare = 0.02;
+
+        /// <summary>Weight of a hand's being held out by nobody: one that fits badly hangs down.</summary>
+        private const double NobodysShare = 0.01;
 
         /// <summary>Hands less likely theirs are not looked at.</summary>
         private const double MinShare = 0.002;
@@ -95,10 +98,10 @@ namespace LaserTracking.Fusion
             _isWeaponSeen[i] = isNow && pair.Hand.MuzzleSigmaMm <= WeaponSigmaMm;
             bool isHandSeen = isNow && pair.Hand.MuzzleSigmaMm <= HandSigmaMm;
             Vector3D muzzle = _camera.ToScreenM(pair.Hand.MuzzleMm);
-            double sum = 0;
+            double sum = NobodysShare;
             for (int k = 0; k < keys.Length; k++)
                 sum += _owned[k * _settings.MaxHands + i] = Weight(pair.Hand, muzzle, keys[k], _arms[k]);
-            for (int k = 0; sum > 0 && k < keys.Length; k++)
+            for (int k = 0; k < keys.Length; k++)
             {
                 ref double owned = ref _owned[k * _settings.MaxHands + i];
                 owned /= sum;
@@ -114,8 +117,8 @@ namespace LaserTracking.Fusion
             bool isOwn = ShotHypotheses.KeyOf(hand) == key;
             if (!arm.IsKnown)
                 return isOwn ? 1 : 0;
-            double weight = (isOwn ? 1 : _settings.NeighbourShare) * AtLeast(ReachFit(muzzleM, arm)) * BearingFit(hand, muzzleM - arm.PivotM);
-            return weight < MinShare ? 0 : weight;
+            double reach = ReachFit(muzzleM, arm), weight = isOwn ? AtLeast(reach) : _settings.NeighbourShare * reach;
+            return weight < MinShare ? 0 : weight * BearingFit(hand, muzzleM - arm.PivotM);
         }
 
         private static double ReachFit(Vector3D muzzleM, in Arm arm)

@@ -37,6 +37,7 @@ namespace LaserTracking.Fusion
 
         /// <summary>For when the hands were gathered last; shots of one frame share it.</summary>
         private long? _gatheredUs;
+        private bool _isSharedOut;
 
         public ShotHypotheses(HandCamera camera, FusionSettings settings)
         {
@@ -114,7 +115,9 @@ namespace LaserTracking.Fusion
         public void Weigh(int row, in Shot shot, Vector2D screenM)
         {
             GatherHands(shot.TimeUs);
-            _owners.ShareOut(new ReadOnlySpan<PairedHand>(_hands, 0, _handCount), Keys);
+            if (!_isSharedOut)
+                _owners.ShareOut(new ReadOnlySpan<PairedHand>(_hands, 0, _handCount), Keys);
+            _isSharedOut = true;
             int first = row * _settings.MaxHands;
             double sum = 0;
             for (int k = 0; k < Columns; k++)
@@ -171,13 +174,18 @@ namespace LaserTracking.Fusion
             if (timeUs == _gatheredUs)
                 return;
             _gatheredUs = timeUs;
+            _isSharedOut = false;
             _handCount = _history.At(timeUs, _settings.WindowUs, _settings.MaxInterpolationUs, _hands);
+            for (int i = 0; i < _handCount; i++)
+                CarryOn(ref _hands[i], timeUs);
         }
 
         private void AddColumn(int key)
         {
-            if (Columns < _keys.Length && Array.IndexOf(_keys, key, 0, Columns) < 0)
-                _keys[Columns++] = key;
+            if (Columns == _keys.Length || Array.IndexOf(_keys, key, 0, Columns) >= 0)
+                return;
+            _keys[Columns++] = key;
+            _isSharedOut = false;
         }
 
         /// <summary>Density of this dot, per m² of the screen, if it is this column's; the pair is that of their likeliest hand.</summary>
@@ -193,7 +201,7 @@ namespace LaserTracking.Fusion
                 if (!(share > 0))
                     continue;
                 shares += share;
-                PairedHand hand = CarriedOn(_hands[i]);
+                PairedHand hand = _hands[i];
                 if (!ShotHandPairing.TryPair(hand, screenM, _camera, _settings, out FusedShot pair))
                     continue;
                 Match(key, screenM, ref hand, ref pair);
@@ -255,13 +263,11 @@ namespace LaserTracking.Fusion
             return isInView ? _settings.HiddenShare : _settings.OutOfViewShare;
         }
 
-        /// <summary>Shots are reported before camera 1's next frame: a little way on as it went.</summary>
-        private static PairedHand CarriedOn(in PairedHand seen)
+        /// <summary>Shots are reported before camera 1's next frame: a weapon that does not hold still is a little way on as it went.</summary>
+        private void CarryOn(ref PairedHand hand, long timeUs)
         {
-            PairedHand hand = seen;
-            if (!hand.IsInterpolated && Math.Abs(hand.DeltaUs) <= LearnUs)
+            if (Math.Abs(hand.DeltaUs) <= LearnUs && !SteadyMuzzle.TryFind(_history, timeUs, ref hand) && !hand.IsInterpolated)
                 hand.Hand.MuzzleMm -= hand.MuzzleVelocityMmS * (hand.DeltaUs * 1e-6);
-            return hand;
         }
 
         /// <summary>Sets the sight line of a pair to the one from where this person is known to aim over.</summary>

@@ -31,6 +31,10 @@ namespace LaserTracking.Fusion
             public SightEvidence Old;
             public SightEvidence Recent;
 
+            /// <summary>Of all that, while nothing of it has changed.</summary>
+            public SightPivot Pivot;
+            public bool HasPivot;
+
             /// <summary>Shots of each colour.</summary>
             public ColorTally Colors;
         }
@@ -72,6 +76,7 @@ namespace LaserTracking.Fusion
 
             _entries[at].SeenUs = timeUs;
             _entries[at].EyeM = camera.ToScreenM(person.EyeMm) + new Vector3D(0, _settings.SightHeightM, 0);
+            _entries[at].HasPivot = false;
             double beside = person.SigmaMm * Axes.MetresPerMillimetre, height = person.HeightSigmaMm > 0 ? person.HeightSigmaMm * Axes.MetresPerMillimetre : beside;
             _entries[at].Prior = new Vector3D(1 / (beside * beside), 1 / (height * height), 1 / (beside * beside));
         }
@@ -91,18 +96,25 @@ namespace LaserTracking.Fusion
             int at = IndexOf(personId);
             if (at < 0)
                 return false;
-            SightPivot pivot = Pivot(_entries[at]);
+            ref readonly SightPivot pivot = ref Pivot(at);
             pivotM = pivot.PlaceM;
             sigmaM = Math.Sqrt(0.5 * pivot.VarianceAcross(towards.Normalized));
             reachM = _entries[at].ReachM;
             return true;
         }
 
-        private static SightPivot Pivot(in Entry e)
+        private ref readonly SightPivot Pivot(int at)
         {
-            SightEvidence known = e.Recent;
-            known.Add(e.Old, StillShare(e));
-            return SightPivot.Of(known, e.EyeM, e.Prior);
+            ref Entry e = ref _entries[at];
+            if (!e.HasPivot)
+            {
+                SightEvidence known = e.Recent;
+                known.Add(e.Old, StillShare(e));
+                e.Pivot = SightPivot.Of(known, e.EyeM, e.Prior);
+                e.HasPivot = true;
+            }
+
+            return ref e.Pivot;
         }
 
         /// <summary>
@@ -116,7 +128,7 @@ namespace LaserTracking.Fusion
             if (at < 0)
                 return false;
             ref readonly Entry e = ref _entries[at];
-            SightPivot pivot = Pivot(e);
+            ref readonly SightPivot pivot = ref Pivot(at);
             Vector3D sight = muzzleM - pivot.PlaceM;
             double reach = Math.Max(0.1, sight.Length), even = SpreadScale(e) * Expected(muzzleSigmaM, reach) + otherVariance;
             Vector3D s = sight.Normalized, turn = Vector3D.Cross(s, direction);
@@ -170,8 +182,10 @@ namespace LaserTracking.Fusion
         public void Add(int personId, in SightEvidence evidence, double share)
         {
             int at = IndexOf(personId);
-            if (at >= 0)
-                _entries[at].Recent.Add(evidence, share);
+            if (at < 0)
+                return;
+            _entries[at].Recent.Add(evidence, share);
+            _entries[at].HasPivot = false;
         }
 
         /// <summary>Adds what a shot tells that will not be weighed again; older ones fade.</summary>
@@ -184,14 +198,17 @@ namespace LaserTracking.Fusion
             e.LearnedAtM = e.Old.Diagonal.LengthSquared > 0 ? e.LearnedAtM + (e.EyeM - e.LearnedAtM) * (0.3 * probability) : e.EyeM;
             e.Old.Scale((1 - (1 - Keep) * probability) * (1 - (1 - StillShare(e)) * probability));
             e.Old.Add(evidence, 1);
+            e.HasPivot = false;
         }
 
         /// <summary>What lines fired long ago told is no more believed.</summary>
         public void Forget(int personId)
         {
             int at = IndexOf(personId);
-            if (at >= 0)
-                _entries[at].Old = default;
+            if (at < 0)
+                return;
+            _entries[at].Old = default;
+            _entries[at].HasPivot = false;
         }
 
         /// <summary>Notes how far from the point they aim over a muzzle was that fired.</summary>
@@ -203,7 +220,7 @@ namespace LaserTracking.Fusion
             ref Entry e = ref _entries[at];
             double spread = _settings.ReachSpreadM * _settings.ReachSpreadM;
             double gain = probability * Math.Max(MinReachGain, e.ReachVariance / (e.ReachVariance + spread));
-            e.ReachM += gain * ((muzzleM - Pivot(e).PlaceM).Length - e.ReachM);
+            e.ReachM += gain * ((muzzleM - Pivot(at).PlaceM).Length - e.ReachM);
             e.ReachVariance = Math.Max(e.ReachVariance * (1 - gain), MinReachGain * spread);
         }
 
@@ -216,7 +233,7 @@ namespace LaserTracking.Fusion
             if (at < 0)
                 return false;
             ref readonly Entry e = ref _entries[at];
-            pivotM = Pivot(e).PlaceM;
+            pivotM = Pivot(at).PlaceM;
             reachM = e.ReachM;
             sigmaM = Math.Sqrt(e.ReachVariance + _settings.ReachSpreadM * _settings.ReachSpreadM);
             return true;
