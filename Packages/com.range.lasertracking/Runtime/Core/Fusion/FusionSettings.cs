@@ -52,14 +52,14 @@ namespace LaserTracking.Fusion
         /// <summary>Metres a second: tremor and sway stay below a tenth of it, swings to the next target reach three times it.</summary>
         public double SwingMPerS { get; set; } = 0.2;
 
-        /// <summary>Share of sightings that are far worse than they say (a finger taken for the barrel), with four times the standard deviation.</summary>
+        /// <summary>Share of sightings that are far worse than they say (a finger taken for the barrel), with three times the standard deviation.</summary>
         public double PoorSightShare { get; set; } = 0.05;
 
         /// <summary>How much a hand still counts whose forearm points elsewhere than its sight line: bent elbows do.</summary>
         public double BentArmShare { get; set; } = 0.2;
 
         /// <summary>Growth of the aim's standard deviation with the distance in time to the nearest sighting, radians a second.</summary>
-        public double AimDriftRadPerS { get; set; } = 0.3;
+        public double AimDriftRadPerS { get; set; } = 0.15;
 
         /// <summary>Growth of the muzzle's standard deviation with the same, metres a second.</summary>
         public double MuzzleDriftMPerS { get; set; } = 0.5;
@@ -68,13 +68,13 @@ namespace LaserTracking.Fusion
         public double OutlierShare { get; set; } = 0.005;
 
         /// <summary>Probability, before anything is seen, that a shot came from none of the hands in sight.</summary>
-        public double NobodyPrior { get; set; } = 0.035;
+        public double NobodyPrior { get; set; } = 0.015;
 
         /// <summary>How much less likely than a person a hand whose person is not known is to fire: half a second of a chair, a raised foot.</summary>
         public double StrangerShare { get; set; } = 0.3;
 
-        /// <summary>Probability that the hand that fires is not among those seen although it should be in camera 1's picture.</summary>
-        public double HiddenShare { get; set; } = 0.04;
+        /// <summary>Probability that somebody whose weapon is not seen fires although it should be in camera 1's picture: hidden behind an arm or a body.</summary>
+        public double HiddenShare { get; set; } = 0.3;
 
         /// <summary>The same where it would be outside the picture.</summary>
         public double OutOfViewShare { get; set; } = 0.6;
@@ -85,13 +85,19 @@ namespace LaserTracking.Fusion
         /// <summary>From the eyes to the muzzle of somebody who aims and has not fired yet, metres.</summary>
         public double ReachM { get; set; } = 0.7;
 
-        /// <summary>Standard deviation of that.</summary>
+        /// <summary>Standard deviation of that between people: with one hand 0.87, with two 0.69.</summary>
         public double ReachSigmaM { get; set; } = 0.18;
 
-        /// <summary>Least weight of a hand whose arm begins below these eyes, however far it reaches.</summary>
-        public double OwnShare { get; set; } = 1;
+        /// <summary>Standard deviation of one person's, who aims at different places.</summary>
+        public double ReachSpreadM { get; set; } = 0.05;
 
-        /// <summary>Weight of a hand that seems to be a neighbour's: arms are given to the nearest head, which may be wrong.</summary>
+        /// <summary>Standard deviation between the bearing of a weapon's picture and its line of fire: 0.07 held with one hand, 0.18 with two.</summary>
+        public double BearingSigmaRad { get; set; } = 0.18;
+
+        /// <summary>Probability that somebody fires with a hand that is not seen although a weapon is that surely is theirs.</summary>
+        public double SecondWeaponShare { get; set; } = 0.002;
+
+        /// <summary>Weight of a hand that seems to be a neighbour's before its weapon is looked at: arms are given to the nearest head, which may be wrong.</summary>
         public double NeighbourShare { get; set; } = 0.3;
 
         /// <summary>Over which a shot from nobody in sight is spread evenly, m². The published screen has 8.4.</summary>
@@ -104,7 +110,7 @@ namespace LaserTracking.Fusion
         /// How much more others who aim near the dot count in what is said than in what is reckoned: lines of sight err together more often
         /// than a normal distribution lets them. Fitted so that shooter_p is met (simulated range, seeds 1 to 3).
         /// </summary>
-        public double RivalWeight { get; set; } = 2;
+        public double RivalWeight { get; set; } = 1.5;
 
         /// <summary>Below this probability the shooter is unknown.</summary>
         public double MinProbability { get; set; } = 0.9;
@@ -134,14 +140,14 @@ namespace LaserTracking.Fusion
             Check(EpsilonM >= 0 && RelinkM >= 0 && SameWeaponM >= 0, "lengths not negative");
             Check(WristSigmaRad > 0 && AimDriftRadPerS >= 0 && MuzzleDriftMPerS >= 0, "WristSigmaRad above zero, drifts not negative");
             Check(SwingShare > 0 && SwingShare < 1 && IdleSwingShare > 0 && IdleSwingShare < 1 && SwingMPerS > 0, "SwingShare and IdleSwingShare between 0 and 1, SwingMPerS above zero");
-            Check(LearnProbability >= 0 && LearnProbability <= 1 && SpreadShots > 0 && MinSpreadScale > 0 && OwnShare >= 0 && OwnShare <= 1, "LearnProbability and OwnShare 0…1, SpreadShots and MinSpreadScale above zero");
+            Check(LearnProbability >= 0 && LearnProbability <= 1 && SpreadShots > 0 && MinSpreadScale > 0, "LearnProbability 0…1, SpreadShots and MinSpreadScale above zero");
             Check(SightedShare >= 0 && SightedShare <= 1 && SightSpreadRad >= 0, "SightedShare 0…1, SightSpreadRad not negative");
             Check(Math.Abs(SightHeightM) <= 1, "SightHeightM at most 1 m up or down");
             Check(PoorSightShare >= 0 && PoorSightShare < 1 && BentArmShare > 0 && BentArmShare <= 1, "PoorSightShare 0…1, BentArmShare above 0, at most 1");
             Check(OutlierShare >= 0 && OutlierShare < 1, "OutlierShare at least 0, below 1");
             Check(NobodyPrior > 0 && NobodyPrior < 1, "NobodyPrior between 0 and 1");
             Check(StrangerShare > 0 && HiddenShare >= 0 && HiddenShare < 1 && OutOfViewShare >= 0 && OutOfViewShare < 1, "StrangerShare above 0, HiddenShare and OutOfViewShare at least 0, below 1");
-            Check(ViewMargin >= 0 && ViewMargin < 0.5 && ReachM > 0 && ReachSigmaM > 0 && NeighbourShare >= 0 && NeighbourShare <= 1, "ViewMargin 0…0.5, lengths above zero, NeighbourShare 0…1");
+            Check(ViewMargin >= 0 && ViewMargin < 0.5 && ReachM > 0 && ReachSigmaM > 0 && ReachSpreadM > 0 && BearingSigmaRad > 0 && SecondWeaponShare >= 0 && SecondWeaponShare <= 1 && NeighbourShare >= 0 && NeighbourShare <= 1, "ViewMargin 0…0.5, lengths and BearingSigmaRad above zero, SecondWeaponShare and NeighbourShare 0…1");
             Check(ScreenAreaM2 > 0, "ScreenAreaM2 above zero");
             Check(ColorKeptProbability > 0.25 && ColorKeptProbability < 1, "ColorKeptProbability between 0.25 and 1");
             Check(RivalWeight > 0, "RivalWeight above zero");

@@ -92,6 +92,40 @@ namespace LaserTracking.Fusion
             return copied;
         }
 
+        /// <summary>
+        /// The mean place of a muzzle over the sightings up to a moment, back as far as it held still: of what a sighting errs the greater part is
+        /// different in each. Camera space.
+        /// </summary>
+        /// <param name="trackId">Whose.</param>
+        /// <param name="fromUs">Earliest sighting that counts.</param>
+        /// <param name="toUs">Latest one.</param>
+        /// <param name="stillMm">A sighting farther than that from the mean of those after it was of a moving weapon.</param>
+        /// <param name="muzzleMm">The mean; zero when there is none.</param>
+        /// <returns>Of how many.</returns>
+        public int Steady(int trackId, long fromUs, long toUs, double stillMm, out Vector3D muzzleMm)
+        {
+            int count = 0;
+            double sigma = 0;
+            muzzleMm = default;
+            for (int i = _count - 1; i >= 0; i--)
+            {
+                int place = Place(i);
+                if (_timesUs[place] < fromUs)
+                    break;
+                ref readonly HandObservation hand = ref _hands[place];
+                if (_timesUs[place] > toUs || hand.TrackId != trackId)
+                    continue;
+                if (count == 0)
+                    sigma = hand.MuzzleSigmaMm;
+                else if (hand.MuzzleSigmaMm > sigma || (hand.MuzzleMm - muzzleMm).LengthSquared > stillMm * stillMm)
+                    break;
+                count++;
+                muzzleMm += (hand.MuzzleMm - muzzleMm) * (1.0 / count);
+            }
+
+            return count;
+        }
+
         private int Place(int logical)
         {
             int at = _start + logical;

@@ -58,7 +58,8 @@ namespace LaserTracking.Fusion
         /// <param name="screenM">The dot.</param>
         /// <param name="settings">Shares and spreads.</param>
         /// <param name="sightShare">Part of the density that is due to the sights, 0…1.</param>
-        public static double ScreenDensity(in PairedHand hand, in FusedShot shot, Vector2D screenM, FusionSettings settings, out double sightShare)
+        /// <param name="weaponShare">How well the weapon's own picture lets it point to the dot, 0…1; counts where the sights do not lead there.</param>
+        public static double ScreenDensity(in PairedHand hand, in FusedShot shot, Vector2D screenM, FusionSettings settings, out double sightShare, double weaponShare = 1)
         {
             Vector3D v = new Vector3D(screenM.X, screenM.Y, 0) - shot.MuzzleM;
             double distance = Math.Max(0.1, v.Length);
@@ -78,8 +79,8 @@ namespace LaserTracking.Fusion
 
             double bySight = (1 - settings.OutlierShare) * aimed;
             if (sighted < 1)
-                aimed += (1 - sighted) * (double.IsNaN(shot.AimErrorRad) ? anywhere : Density(shot.AimErrorRad, wrist));
-            double density = (1 - settings.OutlierShare) * aimed + settings.OutlierShare * anywhere;
+                aimed += (1 - sighted) * weaponShare * (double.IsNaN(shot.AimErrorRad) ? anywhere : Density(shot.AimErrorRad, wrist));
+            double density = (1 - settings.OutlierShare) * aimed + settings.OutlierShare * weaponShare * anywhere;
             sightShare = bySight / density;
             return density * solidAnglePerM2;
         }
@@ -96,7 +97,7 @@ namespace LaserTracking.Fusion
         internal static double SightDensity(double angleRad, double variance, FusionSettings settings, out double core)
         {
             core = (1 - settings.PoorSightShare) * Density(angleRad, variance);
-            return core + settings.PoorSightShare * Density(angleRad, 16 * variance);
+            return core + settings.PoorSightShare * Density(angleRad, 9 * variance);
         }
 
         /// <summary>Normal in the two small angles beside a direction, per steradian.</summary>

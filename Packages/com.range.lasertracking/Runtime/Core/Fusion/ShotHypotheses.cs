@@ -22,24 +22,22 @@ namespace LaserTracking.Fusion
         /// <summary>Less likely hypotheses are not remembered.</summary>
         private const double MinRemembered = 0.01;
 
-        /// <summary>Of one person's sightings those count that are hardly older than the nearest.</summary>
-        private const long SameTimeUs = 50_000;
-
         private readonly HandCamera _camera;
         private readonly FusionSettings _settings;
         private readonly HandHistory _history;
         private readonly SightLines _sights;
         private readonly ShotMemory _memory;
+        private readonly HandOwners _owners;
         private readonly PairedHand[] _hands;
         private readonly int[] _keys;
         private readonly double[] _weights;
         private readonly FusedShot[] _pairs;
         private readonly double[] _sightShares;
-        private readonly double[] _shares;
         private int _handCount;
 
         /// <summary>For when the hands were gathered last; shots of one frame share it.</summary>
         private long? _gatheredUs;
+        private bool _isSharedOut;
 
         public ShotHypotheses(HandCamera camera, FusionSettings settings)
         {
@@ -54,7 +52,7 @@ namespace LaserTracking.Fusion
             _weights = new double[settings.MaxShots * settings.MaxHands];
             _pairs = new FusedShot[_weights.Length];
             _sightShares = new double[_weights.Length];
-            _shares = new double[settings.MaxHands];
+            _owners = new HandOwners(camera, settings, _sights);
         }
 
         public HandHistory History => _history;
@@ -117,6 +115,9 @@ namespace LaserTracking.Fusion
         public void Weigh(int row, in Shot shot, Vector2D screenM)
         {
             GatherHands(shot.TimeUs);
+            if (!_isSharedOut)
+                _owners.ShareOut(new ReadOnlySpan<PairedHand>(_hands, 0, _handCount), Keys);
+            _isSharedOut = true;
             int first = row * _settings.MaxHands;
             double sum = 0;
             for (int k = 0; k < Columns; k++)
@@ -124,7 +125,7 @@ namespace LaserTracking.Fusion
             for (int k = 0; k < Columns; k++)
             {
                 double prior = (1 - _settings.NobodyPrior) * (_keys[k] > 0 ? 1 : _settings.StrangerShare) / sum;
-                _weights[first + k] = prior * Likelihood(_keys[k], screenM, out _pairs[first + k], out _sightShares[first + k]) * _sights.ColorFactor(_keys[k], shot.Dot.Color);
+                _weights[first + k] = prior * Likelihood(k, screenM, out _pairs[first + k], out _sightShares[first + k]) * _sights.ColorFactor(_keys[k], shot.Dot.Color);
             }
         }
 
@@ -173,40 +174,39 @@ namespace LaserTracking.Fusion
             if (timeUs == _gatheredUs)
                 return;
             _gatheredUs = timeUs;
+            _isSharedOut = false;
             _handCount = _history.At(timeUs, _settings.WindowUs, _settings.MaxInterpolationUs, _hands);
+            for (int i = 0; i < _handCount; i++)
+                CarryOn(ref _hands[i], timeUs);
         }
 
         private void AddColumn(int key)
         {
-            if (Columns < _keys.Length && Array.IndexOf(_keys, key, 0, Columns) < 0)
-                _keys[Columns++] = key;
+            if (Columns == _keys.Length || Array.IndexOf(_keys, key, 0, Columns) >= 0)
+                return;
+            _keys[Columns++] = key;
+            _isSharedOut = false;
         }
 
         /// <summary>Density of this dot, per m² of the screen, if it is this column's; the pair is that of their likeliest hand.</summary>
-        private double Likelihood(int key, Vector2D screenM, out FusedShot best, out double sightShare)
+        private double Likelihood(int column, Vector2D screenM, out FusedShot best, out double sightShare)
         {
+            int key = _keys[column];
             best = default;
             sightShare = 0;
-            long nearest = long.MaxValue;
-            for (int i = 0; i < _handCount; i++)
-            {
-                _shares[i] = Share(_hands[i].Hand, key);
-                if (_shares[i] > 0)
-                    nearest = Math.Min(nearest, Math.Abs(_hands[i].DeltaUs));
-            }
-
             double sum = 0, highest = 0, shares = 0;
             for (int i = 0; i < _handCount; i++)
             {
-                double share = _shares[i];
-                if (!(share > 0) || Math.Abs(_hands[i].DeltaUs) > nearest + SameTimeUs)
+                double share = _owners.Share(column, i);
+                if (!(share > 0))
                     continue;
                 shares += share;
-                PairedHand hand = CarriedOn(_hands[i]);
+                PairedHand hand = _hands[i];
                 if (!ShotHandPairing.TryPair(hand, screenM, _camera, _settings, out FusedShot pair))
                     continue;
                 Match(key, screenM, ref hand, ref pair);
-                double density = share * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings, out double bySight) * Stillness(hand, pair);
+                double density = share * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings, out double bySight, _owners.BearingFit(hand.Hand, pair.Direction))
+                    * Stillness(hand, pair);
                 sum += density;
                 if (density <= highest)
                     continue;
@@ -218,7 +218,7 @@ namespace LaserTracking.Fusion
             double seen = shares > 0 ? sum / Math.Max(1, shares) : 0;
             if (key < 0)
                 return seen;
-            double hidden = HiddenShare(key, screenM);
+            double hidden = HiddenShare(key, screenM, _owners.Visible(column));
             double unseen = hidden / _settings.ScreenAreaM2;
             double total = (1 - hidden) * seen + unseen;
             sightShare *= (1 - hidden) * highest / Math.Max(1, shares) / total;
@@ -240,24 +240,13 @@ namespace LaserTracking.Fusion
             return (1 - swings) * (1 - _settings.SwingShare) / (1 - _settings.IdleSwingShare) + swings * _settings.SwingShare / _settings.IdleSwingShare;
         }
 
-        /// <summary>How much a hand counts as this column's: its own one fully, a neighbour's at an arm's length from these eyes less.</summary>
-        private double Share(in HandObservation hand, int key)
-        {
-            int own = KeyOf(hand);
-            if (key < 0)
-                return own == key ? 1 : 0;
-            Vector3D muzzle = _camera.ToScreenM(hand.MuzzleMm);
-            if (!_sights.TryEyes(key, out Vector3D eyes) || !_sights.TryPivot(key, muzzle - eyes, out Vector3D pivot, out _, out double reach))
-                return own == key ? 1 : 0;
-            double off = ((muzzle - pivot).Length - reach) / _settings.ReachSigmaM;
-            double share = Math.Exp(-0.5 * off * off);
-            return own == key ? Math.Max(_settings.OwnShare, share) : share < 0.02 ? 0 : _settings.NeighbourShare * share;
-        }
-
         /// <summary>
         /// Probability that camera 1 does not see the hand that fires at this point: it would be before the eyes towards that point,
-        /// which is in the picture or not.
+        /// which is in the picture or not. Whose hand is seen elsewhere has no other.
         /// </summary>
+        private double HiddenShare(int personId, Vector2D screenM, double visible) =>
+            visible * _settings.SecondWeaponShare + (1 - visible) * HiddenShare(personId, screenM);
+
         private double HiddenShare(int personId, Vector2D screenM)
         {
             if (!_sights.TryEyes(personId, out Vector3D eyes))
@@ -274,13 +263,11 @@ namespace LaserTracking.Fusion
             return isInView ? _settings.HiddenShare : _settings.OutOfViewShare;
         }
 
-        /// <summary>Shots are reported before camera 1's next frame: a little way on as it went.</summary>
-        private static PairedHand CarriedOn(in PairedHand seen)
+        /// <summary>Shots are reported before camera 1's next frame: a weapon that does not hold still is a little way on as it went.</summary>
+        private void CarryOn(ref PairedHand hand, long timeUs)
         {
-            PairedHand hand = seen;
-            if (!hand.IsInterpolated && Math.Abs(hand.DeltaUs) <= LearnUs)
+            if (Math.Abs(hand.DeltaUs) <= LearnUs && !SteadyMuzzle.TryFind(_history, timeUs, ref hand) && !hand.IsInterpolated)
                 hand.Hand.MuzzleMm -= hand.MuzzleVelocityMmS * (hand.DeltaUs * 1e-6);
-            return hand;
         }
 
         /// <summary>Sets the sight line of a pair to the one from where this person is known to aim over.</summary>

@@ -230,6 +230,7 @@ namespace LaserTracking.Fusion
                 {
                     if (_hands[k].Hand.TrackId != line.TrackId || !_hands[k].IsInterpolated)
                         continue;
+                    SteadyMuzzle.TryFind(history, shot.TimeUs, ref _hands[k]);
                     line.MuzzleM = _camera.ToScreenM(_hands[k].Hand.MuzzleMm);
                     line.MuzzleSigmaM = _hands[k].Hand.MuzzleSigmaMm * Axes.MetresPerMillimetre;
                 }

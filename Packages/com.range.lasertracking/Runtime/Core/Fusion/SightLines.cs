@@ -25,10 +25,15 @@ namespace LaserTracking.Fusion
             /// <summary>1 / σ² of that along each axis of screen space.</summary>
             public Vector3D Prior;
             public double ReachM;
+            public double ReachVariance;
 
             /// <summary>Of shots that are weighed no more, and of those that still are.</summary>
             public SightEvidence Old;
             public SightEvidence Recent;
+
+            /// <summary>Of all that, while nothing of it has changed.</summary>
+            public SightPivot Pivot;
+            public bool HasPivot;
 
             /// <summary>Shots of each colour.</summary>
             public ColorTally Colors;
@@ -38,6 +43,9 @@ namespace LaserTracking.Fusion
 
         /// <summary>Weight of older shots at each new one: posture changes over some twenty.</summary>
         private const double Keep = 0.95;
+
+        /// <summary>Least weight of another shot for an arm's reach: posture changes.</summary>
+        private const double MinReachGain = 0.1;
 
         /// <summary>Who moved that far has half forgotten how they stood.</summary>
         private const double MovedM = 0.2;
@@ -63,11 +71,12 @@ namespace LaserTracking.Fusion
             if (at < 0)
             {
                 at = _count < Capacity ? _count++ : Oldest();
-                _entries[at] = new Entry { PersonId = person.PersonId, ReachM = _settings.ReachM };
+                _entries[at] = new Entry { PersonId = person.PersonId, ReachM = _settings.ReachM, ReachVariance = _settings.ReachSigmaM * _settings.ReachSigmaM };
             }
 
             _entries[at].SeenUs = timeUs;
             _entries[at].EyeM = camera.ToScreenM(person.EyeMm) + new Vector3D(0, _settings.SightHeightM, 0);
+            _entries[at].HasPivot = false;
             double beside = person.SigmaMm * Axes.MetresPerMillimetre, height = person.HeightSigmaMm > 0 ? person.HeightSigmaMm * Axes.MetresPerMillimetre : beside;
             _entries[at].Prior = new Vector3D(1 / (beside * beside), 1 / (height * height), 1 / (beside * beside));
         }
@@ -87,18 +96,25 @@ namespace LaserTracking.Fusion
             int at = IndexOf(personId);
             if (at < 0)
                 return false;
-            SightPivot pivot = Pivot(_entries[at]);
+            ref readonly SightPivot pivot = ref Pivot(at);
             pivotM = pivot.PlaceM;
             sigmaM = Math.Sqrt(0.5 * pivot.VarianceAcross(towards.Normalized));
             reachM = _entries[at].ReachM;
             return true;
         }
 
-        private static SightPivot Pivot(in Entry e)
+        private ref readonly SightPivot Pivot(int at)
         {
-            SightEvidence known = e.Recent;
-            known.Add(e.Old, StillShare(e));
-            return SightPivot.Of(known, e.EyeM, e.Prior);
+            ref Entry e = ref _entries[at];
+            if (!e.HasPivot)
+            {
+                SightEvidence known = e.Recent;
+                known.Add(e.Old, StillShare(e));
+                e.Pivot = SightPivot.Of(known, e.EyeM, e.Prior);
+                e.HasPivot = true;
+            }
+
+            return ref e.Pivot;
         }
 
         /// <summary>
@@ -112,7 +128,7 @@ namespace LaserTracking.Fusion
             if (at < 0)
                 return false;
             ref readonly Entry e = ref _entries[at];
-            SightPivot pivot = Pivot(e);
+            ref readonly SightPivot pivot = ref Pivot(at);
             Vector3D sight = muzzleM - pivot.PlaceM;
             double reach = Math.Max(0.1, sight.Length), even = SpreadScale(e) * Expected(muzzleSigmaM, reach) + otherVariance;
             Vector3D s = sight.Normalized, turn = Vector3D.Cross(s, direction);
@@ -166,8 +182,10 @@ namespace LaserTracking.Fusion
         public void Add(int personId, in SightEvidence evidence, double share)
         {
             int at = IndexOf(personId);
-            if (at >= 0)
-                _entries[at].Recent.Add(evidence, share);
+            if (at < 0)
+                return;
+            _entries[at].Recent.Add(evidence, share);
+            _entries[at].HasPivot = false;
         }
 
         /// <summary>Adds what a shot tells that will not be weighed again; older ones fade.</summary>
@@ -180,22 +198,45 @@ namespace LaserTracking.Fusion
             e.LearnedAtM = e.Old.Diagonal.LengthSquared > 0 ? e.LearnedAtM + (e.EyeM - e.LearnedAtM) * (0.3 * probability) : e.EyeM;
             e.Old.Scale((1 - (1 - Keep) * probability) * (1 - (1 - StillShare(e)) * probability));
             e.Old.Add(evidence, 1);
+            e.HasPivot = false;
         }
 
         /// <summary>What lines fired long ago told is no more believed.</summary>
         public void Forget(int personId)
         {
             int at = IndexOf(personId);
-            if (at >= 0)
-                _entries[at].Old = default;
+            if (at < 0)
+                return;
+            _entries[at].Old = default;
+            _entries[at].HasPivot = false;
         }
 
-        /// <summary>Notes how far from the eyes a muzzle was that fired.</summary>
+        /// <summary>Notes how far from the point they aim over a muzzle was that fired.</summary>
         public void NoteReach(int personId, Vector3D muzzleM, double probability)
         {
             int at = IndexOf(personId);
-            if (at >= 0)
-                _entries[at].ReachM += 0.2 * probability * ((muzzleM - _entries[at].EyeM).Length - _entries[at].ReachM);
+            if (at < 0)
+                return;
+            ref Entry e = ref _entries[at];
+            double spread = _settings.ReachSpreadM * _settings.ReachSpreadM;
+            double gain = probability * Math.Max(MinReachGain, e.ReachVariance / (e.ReachVariance + spread));
+            e.ReachM += gain * ((muzzleM - Pivot(at).PlaceM).Length - e.ReachM);
+            e.ReachVariance = Math.Max(e.ReachVariance * (1 - gain), MinReachGain * spread);
+        }
+
+        /// <summary>The point this person aims over, how far from it their muzzle is when they do, and the standard deviation of that; false for an unknown person.</summary>
+        public bool TryReach(int personId, out Vector3D pivotM, out double reachM, out double sigmaM)
+        {
+            int at = IndexOf(personId);
+            pivotM = default;
+            reachM = sigmaM = 0;
+            if (at < 0)
+                return false;
+            ref readonly Entry e = ref _entries[at];
+            pivotM = Pivot(at).PlaceM;
+            reachM = e.ReachM;
+            sigmaM = Math.Sqrt(e.ReachVariance + _settings.ReachSpreadM * _settings.ReachSpreadM);
+            return true;
         }
 
         /// <summary>Notes a shot's colour, as a part of a shot.</summary>

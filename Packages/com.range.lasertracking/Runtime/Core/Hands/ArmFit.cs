@@ -14,6 +14,9 @@ namespace LaserTracking.Hands
         /// <summary>The muzzle is the end of what is seen before the hand, not inferred.</summary>
         public bool HasWeapon;
 
+        /// <summary>Along which line the weapon is seen to lie; zero where it is not seen.</summary>
+        public Vector3D WeaponDirection;
+
         public double PalmSigmaMm;
         public double MuzzleSigmaMm;
 

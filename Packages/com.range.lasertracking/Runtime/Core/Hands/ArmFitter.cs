@@ -302,6 +302,7 @@ namespace LaserTracking.Hands
             {
                 fit.MuzzleMm = end;
                 fit.HasWeapon = true;
+                fit.WeaponDirection = WeaponTip.Direction(grid, end);
                 if (!hasAim)
                     return;
                 Vector3D grip = fit.MuzzleMm - aim * _settings.GripToMuzzleMm - BoreAboveGrip(aim);

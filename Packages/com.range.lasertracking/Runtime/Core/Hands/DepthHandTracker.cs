@@ -78,6 +78,8 @@ namespace LaserTracking.Hands
                     continue;
                 if (count == _fits.Length || !_fitter.TryFit(_grid, _segmenter.CellsOf(arm), arm, out ArmFit fit))
                     continue;
+                if (fit.WeaponDirection.LengthSquared > 0 && _people.TryOwner(fit.MuzzleMm, fit.WeaponDirection, arm.PersonId, out int owner, out Vector3D eye))
+                    GiveTo(owner, eye, arm, ref fit);
                 _fits[count++] = fit;
                 if (fit.HasWeapon && count < _fits.Length && SecondWeapon.TryFind(_grid, _segmenter.CellsOf(arm), fit, _people, _upright, _settings, out ArmFit second))
                     _fits[count++] = second;
@@ -91,6 +93,19 @@ namespace LaserTracking.Hands
         {
             _tracks.Reset();
             _people.Reset();
+        }
+
+        /// <summary>Measures an arm again as somebody else's, whose eyes say where else its weapon is looked for.</summary>
+        private void GiveTo(int personId, Vector3D eyeMm, in ArmPart arm, ref ArmFit fit)
+        {
+            ArmPart own = arm;
+            own.PersonId = personId;
+            own.EyeMm = eyeMm;
+            own.HasEye = true;
+            if (_fitter.TryFit(_grid, _segmenter.CellsOf(arm), own, out ArmFit again) && again.HasWeapon)
+                fit = again;
+            else
+                fit.PersonId = personId;
         }
 
         /// <summary>First all heads, then each arm's: one that hides its own head in this frame still is its person's.</summary>

@@ -44,6 +44,12 @@ namespace LaserTracking.Hands
         /// <summary>Standard deviation of <see cref="SightDirection"/> about one axis, radians.</summary>
         public double SightSigmaRad;
 
+        /// <summary>
+        /// Unit vector along the weapon to its front, from its own picture; zero when it is not seen. Its bearing tells whose it is where arms
+        /// cross; it is known to 0.1 to 0.2 rad and hangs down by the grip.
+        /// </summary>
+        public Vector3D WeaponDirection;
+
         public DepthSource DepthSource;
     }
 }

@@ -32,6 +32,7 @@ namespace LaserTracking.Hands
         public Vector3D GripOffsetMm;
 
         public Vector3D WeaponOffsetMm;
+        public Vector3D WeaponDirection;
         public long WeaponUs;
 
         public Vector3D Axis;

@@ -145,14 +145,16 @@ namespace LaserTracking.Hands
             }
 
             double muzzleSigma = fit.MuzzleSigmaMm;
+            Vector3D weapon = fit.WeaponDirection;
             if (!fit.HasWeapon && fit.MuzzleSigmaMm < _settings.CutSigmaMm && IsWeaponKnown(track, fit.SurfaceMm, timeUs, out double moved))
             {
                 track.PalmMm = fit.SurfaceMm + track.GripOffsetMm;
                 track.MuzzleOffsetMm = track.WeaponOffsetMm - track.GripOffsetMm;
+                weapon = track.WeaponDirection;
                 muzzleSigma = Math.Sqrt(2 * _settings.PalmSigmaMm * _settings.PalmSigmaMm + 0.1 * moved * moved);
             }
 
-            Report(track, fit.PalmSigmaMm, muzzleSigma, DepthSource.Measured, observations);
+            Report(track, fit.PalmSigmaMm, muzzleSigma, DepthSource.Measured, observations, weapon);
         }
 
         private bool IsWeaponKnown(in HandTrack track, Vector3D surfaceMm, long timeUs, out double movedMm)
@@ -174,6 +176,7 @@ namespace LaserTracking.Hands
                 track.WeaponSurfaceMm = fit.SurfaceMm;
                 track.WeaponOffsetMm = fit.MuzzleMm - fit.SurfaceMm;
                 track.GripOffsetMm = fit.PalmMm - fit.SurfaceMm;
+                track.WeaponDirection = fit.WeaponDirection;
                 track.WeaponUs = timeUs;
             }
 
@@ -220,7 +223,7 @@ namespace LaserTracking.Hands
                 observations);
         }
 
-        private void Report(in HandTrack track, double sigma, double muzzleSigma, DepthSource source, HandObservations observations)
+        private void Report(in HandTrack track, double sigma, double muzzleSigma, DepthSource source, HandObservations observations, Vector3D weapon = default)
         {
             observations.Add(new HandObservation
             {
@@ -235,6 +238,7 @@ namespace LaserTracking.Hands
                 AimSigmaRad = track.AxisSigmaRad,
                 SightDirection = track.Sight,
                 SightSigmaRad = _settings.SightSigmaRad,
+                WeaponDirection = weapon,
                 DepthSource = source,
             });
         }

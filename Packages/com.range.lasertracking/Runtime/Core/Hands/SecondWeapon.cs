@@ -15,10 +15,6 @@ namespace LaserTracking.Hands
         /// <summary>How far behind its palm that arm goes on.</summary>
         private const double ArmMm = 450;
 
-        /// <summary>From the eyes to a muzzle held out.</summary>
-        private const double MinReachMm = 450;
-        private const double MaxReachMm = 1050;
-
         /// <summary>How many places that reach out are looked at, and what belongs to one of them.</summary>
         private const int Candidates = 4;
         private const double DismissedMm = 60;
@@ -40,11 +36,15 @@ namespace LaserTracking.Hands
                 if (!TryForemost(grid, cells, first, upright, dismissed.Slice(0, i), out Vector3D end))
                     return false;
                 dismissed[i] = end;
-                if (people.TryReach(end, MinReachMm, MaxReachMm, first.PersonId, out int person, out Vector3D eye)
+                if (people.TryReach(end, first.PersonId, out int person, out Vector3D eye)
                     && WeaponTip.TryRefine(grid, (end - eye).Normalized, ref end, out double spread) && spread < settings.MaxWeaponSpreadMm
                     && Distance(end, first.MuzzleMm, first.PalmMm) >= ClearMm)
                 {
+                    Vector3D direction = WeaponTip.Direction(grid, end);
+                    if (direction.LengthSquared > 0 && people.TryOwner(end, direction, person, out int owner, out Vector3D ownEye))
+                        (person, eye) = (owner, ownEye);
                     Fill(end, eye, person, upright, settings, ref fit);
+                    fit.WeaponDirection = direction;
                     return true;
                 }
             }

@@ -33,6 +33,11 @@ namespace LaserTracking.Hands
 
         private const int MaxReachPx = 48;
 
+        /// <summary>How far behind the end slide and fist reach, from their visible side to their middle, and pixels that are enough of them.</summary>
+        private const double RearMm = 110;
+        private const double RearRadiusMm = 20;
+        private const int MinRearPixels = 40;
+
         /// <summary>The last two keep the axis.</summary>
         private const int Passes = 4;
 
@@ -139,6 +144,46 @@ namespace LaserTracking.Hands
 
             endMm = middle;
             return true;
+        }
+
+        /// <summary>
+        /// Along which line a weapon lies, from what is seen behind its end whatever line that is: slide and fist. Unit vector to the front, zero
+        /// where too little is seen. The grip hangs below the bore, so it tells the bearing, not the height.
+        /// </summary>
+        public static Vector3D Direction(DepthGrid grid, Vector3D endMm)
+        {
+            PinholeCamera view = grid.View;
+            if (!(grid.Source is Image depth) || !view.TryProject(endMm, out Vector2D px))
+                return default;
+            int reach = Math.Min(MaxReachPx, (int)Math.Ceiling(RearMm / endMm.Z * view.FocalXPx));
+            int cx = (int)Math.Round(px.X), cy = (int)Math.Round(px.Y);
+            int left = Math.Max(0, cx - reach), right = Math.Min(depth.Width - 1, cx + reach);
+            int top = Math.Max(0, cy - reach), bottom = Math.Min(depth.Height - 1, cy + reach);
+            Vector3D sum = default;
+            int count = 0;
+            for (int y = top; y <= bottom; y++)
+            {
+                var row = (ushort*)(depth.Pixels + (long)y * depth.Stride);
+                for (int x = left; x <= right; x++)
+                {
+                    if (Math.Abs(row[x] - endMm.Z) > RearMm)
+                        continue;
+                    Vector3D d = view.Unproject(x, y, row[x]) - endMm;
+                    double square = d.LengthSquared;
+                    if (square > RearMm * RearMm || square < LengthMm * LengthMm)
+                        continue;
+                    sum += d;
+                    count++;
+                }
+            }
+
+            if (count < MinRearPixels)
+                return default;
+            // What is seen is the side towards the camera.
+            Vector3D middle = sum * (1.0 / count), ray = endMm.Normalized, axis = middle.Normalized;
+            for (int pass = 0; pass < 3; pass++)
+                axis = (middle + (ray - axis * Vector3D.Dot(ray, axis)) * RearRadiusMm).Normalized;
+            return -axis;
         }
 
         private static bool IsOn(PinholeCamera view, int x, int y, int z, Vector3D end, Vector3D axis, out Vector3D point, out double s)

@@ -111,6 +111,30 @@ namespace LaserTracking.Fusion
         }
 
         [Test]
+        public void Steady_WeaponAtRestAfterASwing_IsTheMeanOfTheRest()
+        {
+            var history = new HandHistory();
+            Add(history, 0, 1, 400);
+            Add(history, 33_000, 1, 120);
+            Add(history, 66_000, 1, 101);
+            Add(history, 99_000, 1, 98);
+            Add(history, 99_000, 2, 500);
+            Add(history, 132_000, 1, 101);
+            Add(history, 165_000, 1, 300);
+            Assert.That(history.Steady(1, 0, 140_000, 8, out Vector3D muzzle), Is.EqualTo(3));
+            Assert.That(muzzle.X, Is.EqualTo(100).Within(1e-9));
+        }
+
+        [Test]
+        public void Steady_TrackThatWasNotSeen_IsNone()
+        {
+            var history = new HandHistory();
+            Add(history, 0, 1, 400);
+            Assert.That(history.Steady(7, 0, 140_000, 8, out _), Is.Zero);
+            Assert.That(history.Steady(1, 10_000, 140_000, 8, out _), Is.Zero);
+        }
+
+        [Test]
         public void CopyTrack_OfSeveralHands_GivesOneInOrderOfTime()
         {
             var history = new HandHistory();

@@ -25,6 +25,7 @@ namespace LaserTracking.Hands
             var hands = new HandObservations();
             var palms = new List<double>();
             var muzzles = new List<double>();
+            var bearings = new List<double>();
             using IFrameSource source = range.CreateDepthSource();
             using var frame = new Frame();
             for (int i = 0; source.TryRead(frame); i++)
@@ -37,7 +38,11 @@ namespace LaserTracking.Hands
                 foreach (HandObservation hand in hands.Hands)
                 {
                     palm = Math.Min(palm, (camera.ToScreenM(hand.PalmMm) - truth.PalmM).Length * 1000);
-                    muzzle = Math.Min(muzzle, (camera.ToScreenM(hand.MuzzleMm) - truth.MuzzleM).Length * 1000);
+                    double off = (camera.ToScreenM(hand.MuzzleMm) - truth.MuzzleM).Length * 1000;
+                    muzzle = Math.Min(muzzle, off);
+                    Vector3D weapon = camera.PoseInScreenMm.TransformDirection(hand.WeaponDirection);
+                    if (off < 30 && weapon.LengthSquared > 0)
+                        bearings.Add(Math.Abs(Math.Atan2(weapon.X, weapon.Z) - Math.Atan2(truth.LightDirection.X, truth.LightDirection.Z)));
                 }
 
                 palms.Add(palm);
@@ -46,10 +51,13 @@ namespace LaserTracking.Hands
 
             palms.Sort();
             muzzles.Sort();
+            bearings.Sort();
             Assert.That(palms[palms.Count / 2], Is.LessThanOrEqualTo(25), "palm, median");
             Assert.That(palms[(int)(0.95 * palms.Count)], Is.LessThanOrEqualTo(60), "palm, 95 %");
             Assert.That(muzzles[muzzles.Count / 2], Is.LessThanOrEqualTo(12), "muzzle, median");
             Assert.That(muzzles[(int)(0.95 * muzzles.Count)], Is.LessThanOrEqualTo(30), "muzzle, 95 %");
+            Assert.That(bearings.Count, Is.GreaterThan(palms.Count / 2), "bearings told");
+            Assert.That(bearings[bearings.Count / 2], Is.LessThanOrEqualTo(0.2), "bearing of the weapon, median");
         }
     }
 }
