@@ -1,8 +1,13 @@
+using System;
+
 namespace LaserTracking.Detection
 {
     /// <summary>A spot that rose above its own past, with everything that the tests measure. Lengths in working pixels.</summary>
-    internal struct Candidate
+    internal unsafe struct Candidate
     {
+        /// <summary>Levels that a dot of the recorded clips gains where it has room: less than most of them.</summary>
+        private const double OrdinaryRise = 64;
+
         public DetectionPlane Plane;
         public int SeedX;
         public int SeedY;
@@ -12,6 +17,16 @@ namespace LaserTracking.Detection
 
         /// <summary>Largest rise as a share of the headroom, 0…255.</summary>
         public int PeakRelativeRise;
+
+        /// <summary>
+        /// Largest rise had there been room, levels: what reached full brightness rose by at least what it shows, an ordinary dot by more.
+        /// Movement nearby, where there is room, is held against this.
+        /// </summary>
+        public double UnclippedRise(in FrameView view)
+        {
+            bool isClipped = FrameView.Level(view.Now[SeedY * view.Width + SeedX], Plane) >= DetectionPlanes.ClippedFrom;
+            return isClipped ? Math.Max(PeakRise, OrdinaryRise * PeakRelativeRise / 255.0) : PeakRise;
+        }
 
         /// <summary>Pixels at half of the largest relative rise or more, connected to the seed.</summary>
         public int Area;

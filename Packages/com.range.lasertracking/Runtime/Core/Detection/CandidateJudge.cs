@@ -189,11 +189,18 @@ namespace LaserTracking.Detection
 
         private bool FailsAtEdge(in FrameView view, ref Candidate candidate)
         {
-            int toEdge = Math.Min(Math.Min(candidate.SeedX, view.Width - 1 - candidate.SeedX), Math.Min(candidate.SeedY, view.Height - 1 - candidate.SeedY));
             bool touches = candidate.Left == 0 || candidate.Top == 0 || candidate.Right == view.Width - 1 || candidate.Bottom == view.Height - 1;
             int least = touches && candidate.PeakRelativeRise < FaintRise ? MinFaintToEdge + (candidate.Right - candidate.Left + candidate.Bottom - candidate.Top) / 6 : MinFaintToEdge;
+            double toEdge = ToEdge(view, candidate.SeedX, candidate.SeedY);
+
+            // The rest of a light whose brightest part has been met already begins at its rim: the middle says where it is.
+            if (least > MinFaintToEdge)
+                toEdge = Math.Min(toEdge, ToEdge(view, candidate.CenterX, candidate.CenterY));
             return Fails(ref candidate, toEdge < least, RejectionReason.CutByEdge, toEdge, least);
         }
+
+        private static double ToEdge(in FrameView view, double x, double y) =>
+            Math.Min(Math.Min(x, view.Width - 1 - x), Math.Min(y, view.Height - 1 - y));
 
         private bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit, string? what = null)
         {

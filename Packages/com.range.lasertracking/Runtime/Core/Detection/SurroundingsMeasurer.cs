@@ -5,6 +5,12 @@ namespace LaserTracking.Detection
     /// <summary>Looks at what happens around a candidate: whether it is alone, whether its neighbourhood is at rest, what colour rose.</summary>
     internal static unsafe class SurroundingsMeasurer
     {
+        /// <summary>Vividness between that of grey things and that of lasers.</summary>
+        private const double NeutralVividness = 1.1;
+
+        /// <summary>Mean levels of room from which a channel tells what it rose by.</summary>
+        private const double AmpleHeadroom = 16;
+
         /// <summary>Share of eight pixels all around at this distance that rose at least half as far. What lies outside the picture has not.</summary>
         public static double SpokeShare(in FrameView view, in Candidate candidate, int distance)
         {
@@ -158,9 +164,12 @@ namespace LaserTracking.Detection
             candidate.BlueRise = blue;
             candidate.GreenCoherence = either > 0 ? (green - red) / either : 0;
             double unit = 255 / ((double)candidate.Area * candidate.PeakRelativeRise);
-            candidate.Vividness = Math.Max(red, green) * unit;
-            candidate.Freshness = Math.Max(blue * unit, candidate.Vividness);
+            candidate.Freshness = Math.Max(blue, Math.Max(red, green)) * unit;
+            candidate.Vividness = Math.Max(red * unit + Unsaid(candidate.RedHeadroom), green * unit + Unsaid(candidate.GreenHeadroom));
         }
+
+        /// <summary>What a channel that had hardly any room may have risen by, had it had some: a colour that speaks neither for nor against.</summary>
+        private static double Unsaid(double headroom) => NeutralVividness * Math.Max(0, 1 - headroom / AmpleHeadroom);
 
         private static double Share(int now, int before) => (now - before) / (double)(255 - before + 8);
     }

@@ -15,15 +15,15 @@ namespace LaserTracking.Detection
         /// <param name="features">One value for each <see cref="DotFeature"/>; those of the surroundings stay as they are.</param>
         public static void MeasureItself(in FrameView view, in Candidate candidate, double scale, int contentLevel, Span<float> features)
         {
-            double rise = candidate.PeakRise, area = candidate.Area / (scale * scale);
+            double rise = candidate.PeakRise, unclipped = candidate.UnclippedRise(view), area = candidate.Area / (scale * scale);
             int seed = candidate.SeedY * view.Width + candidate.SeedX;
             DetectionPlane other = candidate.Plane == DetectionPlane.Largest ? DetectionPlane.Smallest : DetectionPlane.Largest;
             Set(features, DotFeature.Rise, candidate.PeakRelativeRise / 255.0);
             Set(features, DotFeature.LogArea, Math.Log(area));
             Set(features, DotFeature.Compactness, candidate.Compactness);
             Set(features, DotFeature.LogElongation, Math.Log(candidate.LongSigma / candidate.ShortSigma));
-            Set(features, DotFeature.Activity, candidate.Activity / rise);
-            Set(features, DotFeature.ActivityAround, candidate.ActivityAround / rise);
+            Set(features, DotFeature.Activity, candidate.Activity / unclipped);
+            Set(features, DotFeature.ActivityAround, candidate.ActivityAround / unclipped);
             Set(features, DotFeature.Freshness, view.Change(seed, candidate.Plane) / rise);
             Set(features, DotFeature.Vividness, candidate.Vividness);
             Set(features, DotFeature.Coherence, Math.Abs(candidate.GreenCoherence));
@@ -42,7 +42,7 @@ namespace LaserTracking.Detection
             Set(features, DotFeature.RingShare, c.RingShare);
             int size = Math.Max(c.Right - c.Left, c.Bottom - c.Top) + 1;
             int inner = Math.Max(4, size / 2), near = inner + Math.Max(6, size / 2);
-            int threshold = Math.Max(c.PeakRise / 6, (int)(4 * noise) + 2), half = Math.Max(1, (c.PeakRelativeRise + 1) / 2);
+            int threshold = Math.Max((int)(c.UnclippedRise(view) / 6), (int)(4 * noise) + 2), half = Math.Max(1, (c.PeakRelativeRise + 1) / 2);
             int brighter = 0, darker = 0, risen = 0, count = 0, darkerRing = 0, ring = 0;
             long nowRing = 0, beforeRing = 0;
             for (int y = Math.Max(0, c.Top - radius); y <= Math.Min(view.Height - 1, c.Bottom + radius); y += Step)
