@@ -19,13 +19,23 @@ namespace LaserTracking.Detection
         public int PeakRelativeRise;
 
         /// <summary>
-        /// Largest rise had there been room, levels: what reached full brightness rose by at least what it shows, an ordinary dot by more.
-        /// Movement nearby, where there is room, is held against this.
+        /// Largest rise had there been room, levels: what reached full brightness rose by at least what it shows, an ordinary dot by more,
+        /// the surer the more of the room it took. Movement nearby, where there is room, is held against this.
         /// </summary>
-        public double UnclippedRise(in FrameView view)
+        public double UnclippedRise(in FrameView view) =>
+            IsClipped(view) ? Math.Max(PeakRise, OrdinaryRise * PeakRelativeRise * PeakRelativeRise / (255.0 * 255.0)) : PeakRise;
+
+        private bool IsClipped(in FrameView view) => FrameView.Level(view.Now[SeedY * view.Width + SeedX], Plane) >= DetectionPlanes.ClippedFrom;
+
+        /// <summary>
+        /// By how many levels a pixel must have risen beside half of the share of the room, to have risen as the candidate has. Near full brightness a few levels are half of the room: noise is no rise there, and
+        /// beside a clipped dot a pixel that is not clipped itself must have risen by half of what the dot would have.
+        /// </summary>
+        public int LeastRise(in FrameView view, double noise, out int leastUnclipped)
         {
-            bool isClipped = FrameView.Level(view.Now[SeedY * view.Width + SeedX], Plane) >= DetectionPlanes.ClippedFrom;
-            return isClipped ? Math.Max(PeakRise, OrdinaryRise * PeakRelativeRise / 255.0) : PeakRise;
+            int least = Math.Min(PeakRise / 2, (int)(4 * noise) + 3);
+            leastUnclipped = IsClipped(view) ? Math.Max(least, (int)(UnclippedRise(view) / 2)) : least;
+            return least;
         }
 
         /// <summary>Pixels at half of the largest relative rise or more, connected to the seed.</summary>

@@ -20,6 +20,12 @@ namespace LaserTracking.Detection
         /// <summary>What the projector could show itself, and what rises less than this beyond what moves in its picture, is faint there.</summary>
         private const double MovementFactor = 2;
 
+        /// <summary>Red or green through blue: infrared light rises in all three alike.</summary>
+        private const double MinRiseAgainstBlue = 0.4;
+
+        /// <summary>Least difference from the frame before that no displacement takes away, where one frame does not suffice.</summary>
+        private const double MinUnexplained = 0.6;
+
         private readonly ShotDetectorSettings _settings;
         private readonly BlobMeasurer _blobs;
 
@@ -123,8 +129,15 @@ namespace LaserTracking.Detection
             EvidenceCurve curve = _settings.Evidence.Curves[against];
             if (Fails(ref candidate, candidate.LogOdds < least, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What))
                 return;
+            double againstBlue = SurroundingsMeasurer.RiseAgainstBlue(view, candidate);
+            if (Fails(ref candidate, againstBlue < MinRiseAgainstBlue, RejectionReason.WrongColor, againstBlue, MinRiseAgainstBlue, "red or green through blue"))
+                return;
             candidate.IsConclusive = candidate.LogOdds >= conclusive;
             Trace?.AddConclusive(candidate.IsConclusive, candidate.LogOdds, conclusive, "all evidence, log-odds", true);
+            if (candidate.IsConclusive && !isFaint)
+                return;
+            double unexplained = DisplacementMeasurer.Unexplained(view, candidate);
+            Fails(ref candidate, unexplained < MinUnexplained, RejectionReason.MovingSurroundings, unexplained, MinUnexplained, "not explained by a displacement");
         }
 
         /// <summary>No single measure decides: all of them together say how likely this is a laser's light.</summary>

@@ -43,6 +43,9 @@ namespace LaserTracking.Detection
         public double LogOdds;
 
         public int PeakRise;
+
+        /// <summary>The largest of its frames so far.</summary>
+        public int HighestRise;
         public double PeakRelativeRise;
         public double Area;
 
@@ -164,7 +167,12 @@ namespace LaserTracking.Detection
             if (!Covers(c.CenterX, c.CenterY) || (WasAboveContent && c.MayBeContent))
                 return false;
             if (!IsResting)
-                return 2 * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= 3 * Area;
+            {
+                // A light whose first frame saw only its beginning grows, and clipped it grows in area alone; what is left of one that has gone is none.
+                int growth = Frames == 1 && c.IsOnset ? 5 : 3;
+                return 4 * c.PeakRise >= HighestRise && 2 * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= growth * Area;
+            }
+
             int more = c.Plane == Plane ? 1 : 2;
             return 2 * LengthOf(c) <= 3 * Length + 4 && 2 * more * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= 3 * more * Area;
         }

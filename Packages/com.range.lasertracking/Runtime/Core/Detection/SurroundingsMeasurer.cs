@@ -40,6 +40,7 @@ namespace LaserTracking.Detection
             int size = Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top) + 1;
             int inner = Math.Max(3, size / 2), outer = inner + Math.Max(6, size / 2);
             int threshold = Math.Max(1, (candidate.PeakRelativeRise + 1) / 2);
+            int least = candidate.LeastRise(view, noise, out int leastUnclipped);
             int risen = 0, count = 0;
             int x0 = Math.Max(0, candidate.Left - outer), x1 = Math.Min(view.Width - 1, candidate.Right + outer);
             int y0 = Math.Max(0, candidate.Top - outer), y1 = Math.Min(view.Height - 1, candidate.Bottom + outer);
@@ -55,9 +56,9 @@ namespace LaserTracking.Detection
                     }
 
                     count++;
-                    int rise = view.RelativeRise(y * view.Width + x, candidate.Plane);
-                    histogram[rise]++;
-                    if (rise >= threshold)
+                    int i = y * view.Width + x;
+                    histogram[view.RelativeRise(i, candidate.Plane)]++;
+                    if (view.HasRisen(i, candidate.Plane, threshold, least, leastUnclipped))
                         risen++;
                 }
             }
@@ -168,9 +169,36 @@ namespace LaserTracking.Detection
             candidate.Vividness = Math.Max(red * unit + Unsaid(candidate.RedHeadroom), green * unit + Unsaid(candidate.GreenHeadroom));
         }
 
+        /// <summary>
+        /// The larger of red's and green's rise through blue's, levels, over the pixels of the box in which neither is at full brightness;
+        /// 1 where most are. Lasers are red, green or infrared; what compression makes of a dark or coloured wall is often blue.
+        /// </summary>
+        public static double RiseAgainstBlue(in FrameView view, in Candidate candidate)
+        {
+            int red = 0, green = 0, blue = 0, count = 0;
+            for (int y = candidate.Top; y <= candidate.Bottom; y++)
+            {
+                for (int x = candidate.Left; x <= candidate.Right; x++)
+                {
+                    uint now = view.Now[y * view.Width + x], before = view.Before[y * view.Width + x];
+                    int redNow = (int)(now >> 16 & 255), greenNow = (int)(now >> 8 & 255);
+                    if (redNow >= DetectionPlanes.ClippedFrom || greenNow >= DetectionPlanes.ClippedFrom)
+                        continue;
+                    count++;
+                    red += redNow - (int)(before >> 16 & 255);
+                    green += greenNow - (int)(before >> 8 & 255);
+                    blue += (int)(now & 255) - (int)(before & 255);
+                }
+            }
+
+            int pixels = (candidate.Right - candidate.Left + 1) * (candidate.Bottom - candidate.Top + 1);
+            return 2 * count < pixels || blue <= 0 ? 1 : Math.Max(red, green) / (double)blue;
+        }
+
         /// <summary>What a channel that had hardly any room may have risen by, had it had some: a colour that speaks neither for nor against.</summary>
         private static double Unsaid(double headroom) => NeutralVividness * Math.Max(0, 1 - headroom / AmpleHeadroom);
 
-        private static double Share(int now, int before) => (now - before) / (double)(255 - before + 8);
+        /// <summary>By the room that the darker of the two left: what leaves full brightness falls no further than what reaches it rises.</summary>
+        private static double Share(int now, int before) => (now - before) / (double)(255 - Math.Min(now, before) + 8);
     }
 }

@@ -43,6 +43,7 @@ namespace LaserTracking.Detection
             int size = Math.Max(c.Right - c.Left, c.Bottom - c.Top) + 1;
             int inner = Math.Max(4, size / 2), near = inner + Math.Max(6, size / 2);
             int threshold = Math.Max((int)(c.UnclippedRise(view) / 6), (int)(4 * noise) + 2), half = Math.Max(1, (c.PeakRelativeRise + 1) / 2);
+            int least = c.LeastRise(view, noise, out int leastUnclipped);
             int brighter = 0, darker = 0, risen = 0, count = 0, darkerRing = 0, ring = 0;
             long nowRing = 0, beforeRing = 0;
             for (int y = Math.Max(0, c.Top - radius); y <= Math.Min(view.Height - 1, c.Bottom + radius); y += Step)
@@ -60,7 +61,7 @@ namespace LaserTracking.Detection
                         brighter++;
                     else if (change < -threshold)
                         darker++;
-                    if (view.RelativeRise(i, c.Plane) >= half)
+                    if (view.HasRisen(i, c.Plane, half, least, leastUnclipped))
                         risen++;
                     if (distance > near)
                         continue;
