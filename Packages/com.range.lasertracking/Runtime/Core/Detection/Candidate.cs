@@ -33,8 +33,12 @@ namespace LaserTracking.Detection
         /// </summary>
         public int LeastRise(in FrameView view, double noise, out int leastUnclipped)
         {
-            int least = Math.Min(PeakRise / 2, (int)(4 * noise) + 3);
-            leastUnclipped = IsClipped(view) ? Math.Max(least, (int)(UnclippedRise(view) / 2)) : least;
+            int beyondNoise = (int)(4 * noise) + 3;
+            if (!IsClipped(view))
+                return leastUnclipped = Math.Min(PeakRise / 2, beyondNoise);
+            double unclipped = UnclippedRise(view);
+            int least = Math.Min(PeakRise / 2, Math.Max(beyondNoise, (int)(unclipped / 6)));
+            leastUnclipped = Math.Max(least, (int)(unclipped / 2));
             return least;
         }
 

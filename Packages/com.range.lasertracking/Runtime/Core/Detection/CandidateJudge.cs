@@ -23,7 +23,7 @@ namespace LaserTracking.Detection
         /// <summary>Red or green through blue: infrared light rises in all three alike.</summary>
         private const double MinRiseAgainstBlue = 0.4;
 
-        /// <summary>Least difference from the frame before that no displacement takes away, where one frame does not suffice.</summary>
+        /// <summary>Least difference from the frame before that no displacement takes away: what moves leaves less than that, light on texture more.</summary>
         private const double MinUnexplained = 0.6;
 
         private readonly ShotDetectorSettings _settings;
@@ -134,7 +134,9 @@ namespace LaserTracking.Detection
                 return;
             candidate.IsConclusive = candidate.LogOdds >= conclusive;
             Trace?.AddConclusive(candidate.IsConclusive, candidate.LogOdds, conclusive, "all evidence, log-odds", true);
-            if (candidate.IsConclusive && !isFaint)
+
+            // Movement explains what is weak or doubtful; strong new light on texture it explains by chance, in part.
+            if (candidate.IsConclusive && rise >= 2 * _settings.FaintRise)
                 return;
             double unexplained = DisplacementMeasurer.Unexplained(view, candidate);
             Fails(ref candidate, unexplained < MinUnexplained, RejectionReason.MovingSurroundings, unexplained, MinUnexplained, "not explained by a displacement");

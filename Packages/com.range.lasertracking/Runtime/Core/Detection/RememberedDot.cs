@@ -166,7 +166,7 @@ namespace LaserTracking.Detection
         {
             if (!Covers(c.CenterX, c.CenterY) || (WasAboveContent && c.MayBeContent))
                 return false;
-            if (!IsResting)
+            if (!IsResting || !IsConclusive)
             {
                 // A light whose first frame saw only its beginning grows, and clipped it grows in area alone; what is left of one that has gone is none.
                 int growth = Frames == 1 && c.IsOnset ? 5 : 3;

@@ -170,29 +170,29 @@ namespace LaserTracking.Detection
         }
 
         /// <summary>
-        /// The larger of red's and green's rise through blue's, levels, over the pixels of the box in which neither is at full brightness;
-        /// 1 where most are. Lasers are red, green or infrared; what compression makes of a dark or coloured wall is often blue.
+        /// The larger of red's and green's change through blue's, levels, in the box and beyond that of its border; 1 where one of them
+        /// had not room enough to rise as far. Lasers are red, green or infrared; what compression makes of a dark or coloured wall is often blue.
         /// </summary>
         public static double RiseAgainstBlue(in FrameView view, in Candidate candidate)
         {
-            int red = 0, green = 0, blue = 0, count = 0;
-            for (int y = candidate.Top; y <= candidate.Bottom; y++)
+            int x0 = Math.Max(0, candidate.Left - 3), x1 = Math.Min(view.Width - 1, candidate.Right + 3);
+            int y0 = Math.Max(0, candidate.Top - 3), y1 = Math.Min(view.Height - 1, candidate.Bottom + 3);
+            double red = 0, green = 0, blue = 0;
+            int inside = (candidate.Right - candidate.Left + 1) * (candidate.Bottom - candidate.Top + 1), border = (x1 - x0 + 1) * (y1 - y0 + 1) - inside;
+            for (int y = y0; y <= y1; y++)
             {
-                for (int x = candidate.Left; x <= candidate.Right; x++)
+                for (int x = x0; x <= x1; x++)
                 {
+                    bool isInside = x >= candidate.Left && x <= candidate.Right && y >= candidate.Top && y <= candidate.Bottom;
+                    double weight = isInside ? 1.0 / inside : -1.0 / border;
                     uint now = view.Now[y * view.Width + x], before = view.Before[y * view.Width + x];
-                    int redNow = (int)(now >> 16 & 255), greenNow = (int)(now >> 8 & 255);
-                    if (redNow >= DetectionPlanes.ClippedFrom || greenNow >= DetectionPlanes.ClippedFrom)
-                        continue;
-                    count++;
-                    red += redNow - (int)(before >> 16 & 255);
-                    green += greenNow - (int)(before >> 8 & 255);
-                    blue += (int)(now & 255) - (int)(before & 255);
+                    red += weight * ((int)(now >> 16 & 255) - (int)(before >> 16 & 255));
+                    green += weight * ((int)(now >> 8 & 255) - (int)(before >> 8 & 255));
+                    blue += weight * ((int)(now & 255) - (int)(before & 255));
                 }
             }
 
-            int pixels = (candidate.Right - candidate.Left + 1) * (candidate.Bottom - candidate.Top + 1);
-            return 2 * count < pixels || blue <= 0 ? 1 : Math.Max(red, green) / (double)blue;
+            return blue <= 0 || Math.Min(candidate.RedHeadroom, candidate.GreenHeadroom) < 2 * blue ? 1 : Math.Max(red, green) / blue;
         }
 
         /// <summary>What a channel that had hardly any room may have risen by, had it had some: a colour that speaks neither for nor against.</summary>
