@@ -37,7 +37,7 @@ namespace LaserTracking.Detection
             if (!IsClipped(view))
                 return leastUnclipped = Math.Min(PeakRise / 2, beyondNoise);
             double unclipped = UnclippedRise(view);
-            int least = Math.Min(PeakRise / 2, Math.Max(beyondNoise, (int)(unclipped / 6)));
+            int least = Math.Min(PeakRise / 2, Math.Max(beyondNoise, (int)(unclipped / 3)));
             leastUnclipped = Math.Max(least, (int)(unclipped / 2));
             return least;
         }

@@ -170,7 +170,7 @@ namespace LaserTracking.Detection
             {
                 // A light whose first frame saw only its beginning grows, and clipped it grows in area alone; what is left of one that has gone is none.
                 int growth = Frames == 1 && c.IsOnset ? 5 : 3;
-                return 4 * c.PeakRise >= HighestRise && 2 * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= growth * Area;
+                return 3 * c.PeakRise >= HighestRise && 2 * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= growth * Area;
             }
 
             int more = c.Plane == Plane ? 1 : 2;

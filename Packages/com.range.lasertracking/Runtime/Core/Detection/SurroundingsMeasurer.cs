@@ -166,7 +166,8 @@ namespace LaserTracking.Detection
             candidate.GreenCoherence = either > 0 ? (green - red) / either : 0;
             double unit = 255 / ((double)candidate.Area * candidate.PeakRelativeRise);
             candidate.Freshness = Math.Max(blue, Math.Max(red, green)) * unit;
-            candidate.Vividness = Math.Max(red * unit + Unsaid(candidate.RedHeadroom), green * unit + Unsaid(candidate.GreenHeadroom));
+            candidate.Vividness = Math.Max(red * unit + NeutralVividness * Unsaid(candidate, candidate.RedHeadroom),
+                green * unit + NeutralVividness * Unsaid(candidate, candidate.GreenHeadroom));
         }
 
         /// <summary>
@@ -195,8 +196,12 @@ namespace LaserTracking.Detection
             return blue <= 0 || Math.Min(candidate.RedHeadroom, candidate.GreenHeadroom) < 2 * blue ? 1 : Math.Max(red, green) / blue;
         }
 
-        /// <summary>What a channel that had hardly any room may have risen by, had it had some: a colour that speaks neither for nor against.</summary>
-        private static double Unsaid(double headroom) => NeutralVividness * Math.Max(0, 1 - headroom / AmpleHeadroom);
+        /// <summary>
+        /// How much of what a channel or plane would have told is missing for want of room, 0…1: there a value counts that speaks neither
+        /// for nor against. Only beside light that takes half of the room that is left elsewhere: less is what noise does, too.
+        /// </summary>
+        public static double Unsaid(in Candidate candidate, double headroom) =>
+            Math.Max(0, 1 - headroom / AmpleHeadroom) * Math.Min(1, candidate.PeakRelativeRise / 127.5);
 
         /// <summary>By the room that the darker of the two left: what leaves full brightness falls no further than what reaches it rises.</summary>
         private static double Share(int now, int before) => (now - before) / (double)(255 - Math.Min(now, before) + 8);

@@ -8,6 +8,9 @@ namespace LaserTracking.Detection
         /// <summary>Every second pixel of every second row is looked at.</summary>
         private const int Step = 2;
 
+        /// <summary>Values that speak neither for nor against a dot: for what had no room to say more.</summary>
+        private const double NeutralCoherence = 0.83, NeutralOtherRise = 0.13;
+
         /// <param name="view">The frame.</param>
         /// <param name="candidate">Grown, with its colours measured.</param>
         /// <param name="scale">Working px per pixel of a picture 640 wide.</param>
@@ -26,9 +29,9 @@ namespace LaserTracking.Detection
             Set(features, DotFeature.ActivityAround, candidate.ActivityAround / unclipped);
             Set(features, DotFeature.Freshness, view.Change(seed, candidate.Plane) / rise);
             Set(features, DotFeature.Vividness, candidate.Vividness);
-            Set(features, DotFeature.Coherence, Math.Abs(candidate.GreenCoherence));
+            Set(features, DotFeature.Coherence, Math.Max(Math.Abs(candidate.GreenCoherence), NeutralCoherence * SurroundingsMeasurer.Unsaid(candidate, Math.Max(candidate.RedHeadroom, candidate.GreenHeadroom))));
             Set(features, DotFeature.ContentExcess, (SurroundingsMeasurer.PeakLevel(view, candidate) - contentLevel) / 64.0);
-            Set(features, DotFeature.OtherRise, view.RelativeRise(seed, other) / 255.0);
+            Set(features, DotFeature.OtherRise, Math.Max(view.RelativeRise(seed, other) / 255.0, NeutralOtherRise * SurroundingsMeasurer.Unsaid(candidate, 255 - view.Envelope(seed, other))));
             Set(features, DotFeature.LogStrength, Math.Log(Math.Max(1, rise * Math.Sqrt(area))));
         }
 
