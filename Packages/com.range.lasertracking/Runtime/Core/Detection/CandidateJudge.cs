@@ -26,6 +26,9 @@ namespace LaserTracking.Detection
         /// <summary>Least difference from the frame before that no displacement takes away: what moves leaves less than that, light on texture more.</summary>
         private const double MinUnexplained = 0.6;
 
+        /// <summary>What hardly any displacement explains at all has this much more for it, log-odds, where neither noise nor the camera's movement nor much that rises at once does so too.</summary>
+        private const double SurelyUnexplained = 0.85, NewLightLogOdds = 1;
+
         private readonly ShotDetectorSettings _settings;
         private readonly BlobMeasurer _blobs;
 
@@ -125,9 +128,11 @@ namespace LaserTracking.Detection
             Span<float> features = stackalloc float[DotEvidence.Count];
             bool isFaint = rise < _settings.FaintRise || (candidate.MayBeContent && candidate.PeakRise < MovementFactor * Movement);
             double least = isFaint ? Math.Max(_settings.MinLogOdds, IsCrowded ? conclusive : _settings.FaintLogOdds) : _settings.MinLogOdds;
-            candidate.LogOdds = Weigh(view, ref candidate, 0, least, out int against, features);
+            bool isCalm = !IsCrowded && !view.IsBetweenPixels && candidate.PeakRise >= 2 * minLevels;
+            double unexplainedLogOdds = isCalm ? NewLightLogOdds : 0;
+            candidate.LogOdds = Weigh(view, ref candidate, 0, least - unexplainedLogOdds, out int against, features);
             EvidenceCurve curve = _settings.Evidence.Curves[against];
-            if (Fails(ref candidate, candidate.LogOdds < least, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What))
+            if (Fails(ref candidate, candidate.LogOdds < least - unexplainedLogOdds, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What))
                 return;
             double againstBlue = SurroundingsMeasurer.RiseAgainstBlue(view, candidate);
             if (Fails(ref candidate, againstBlue < MinRiseAgainstBlue, RejectionReason.WrongColor, againstBlue, MinRiseAgainstBlue, "red or green through blue"))
@@ -136,10 +141,14 @@ namespace LaserTracking.Detection
             Trace?.AddConclusive(candidate.IsConclusive, candidate.LogOdds, conclusive, "all evidence, log-odds", true);
 
             // Movement explains what is weak or doubtful; strong new light on texture it explains by chance, in part.
-            if (candidate.IsConclusive && rise >= 2 * _settings.FaintRise)
+            if (candidate.LogOdds >= conclusive + _settings.ContentLogOdds && rise >= 2 * _settings.FaintRise)
                 return;
             double unexplained = DisplacementMeasurer.Unexplained(view, candidate);
-            Fails(ref candidate, unexplained < MinUnexplained, RejectionReason.MovingSurroundings, unexplained, MinUnexplained, "not explained by a displacement");
+            if (Fails(ref candidate, unexplained < MinUnexplained, RejectionReason.MovingSurroundings, unexplained, MinUnexplained, "not explained by a displacement"))
+                return;
+            if (unexplained >= SurelyUnexplained)
+                candidate.LogOdds += unexplainedLogOdds;
+            Fails(ref candidate, candidate.LogOdds < least, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What);
         }
 
         /// <summary>No single measure decides: all of them together say how likely this is a laser's light.</summary>

@@ -27,7 +27,10 @@ namespace LaserTracking.Detection
             Set(features, DotFeature.LogElongation, Math.Log(candidate.LongSigma / candidate.ShortSigma));
             Set(features, DotFeature.Activity, candidate.Activity / unclipped);
             Set(features, DotFeature.ActivityAround, candidate.ActivityAround / unclipped);
-            Set(features, DotFeature.Freshness, view.Change(seed, candidate.Plane) / rise);
+
+            // What was darker lately only comes back to its past; how far it rises above that is new, the surer the more of the room it takes.
+            double fresh = view.Change(seed, candidate.Plane) / rise;
+            Set(features, DotFeature.Freshness, Math.Min(fresh, 1 + (fresh - 1) * (1 - candidate.PeakRelativeRise / 255.0)));
             Set(features, DotFeature.Vividness, candidate.Vividness);
             Set(features, DotFeature.Coherence, Math.Max(Math.Abs(candidate.GreenCoherence), NeutralCoherence * SurroundingsMeasurer.Unsaid(candidate, Math.Max(candidate.RedHeadroom, candidate.GreenHeadroom))));
             Set(features, DotFeature.ContentExcess, (SurroundingsMeasurer.PeakLevel(view, candidate) - contentLevel) / 64.0);
