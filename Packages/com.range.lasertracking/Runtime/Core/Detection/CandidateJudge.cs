@@ -113,10 +113,17 @@ namespace LaserTracking.Detection
             double conclusive = _settings.ConclusiveLogOdds + (IsContentKnown && candidate.MayBeContent ? more : 0);
             if (isKnown)
             {
-                // Light that grows further says the same once more; what the picture may show itself grows when it comes from behind.
+                // Light that grows further says the same once more; what the picture may show itself grows when it comes
+                // from behind, too: only what has become twice as bright is weighed, as if it began now.
                 candidate.LogOdds = known.LogOdds;
-                if (!known.IsConclusive && candidate.IsOnset && !candidate.MayBeContent)
-                    candidate.LogOdds += Weigh(view, ref candidate, known.LogOdds, _settings.MinLogOdds, out int _, stackalloc float[DotEvidence.Count]);
+                bool isGrown = candidate.PeakRise >= 2 * known.HighestRise;
+                if (!known.IsConclusive && candidate.IsOnset && (isGrown || !candidate.MayBeContent))
+                {
+                    double before = candidate.MayBeContent ? 0 : known.LogOdds;
+                    double now = Weigh(view, ref candidate, before, _settings.MinLogOdds, out int _, stackalloc float[DotEvidence.Count]);
+                    candidate.LogOdds = Math.Max(candidate.LogOdds, before + now);
+                }
+
                 candidate.IsConclusive = known.IsConclusive || isProvenByLevel || candidate.LogOdds >= conclusive;
                 Fails(ref candidate, !candidate.IsConclusive && WaitLimit.IsOver(known.Frames, TimeUs - known.FirstTimeUs, _settings.MaxWaitFrames, _settings.MaxWaitUs), RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
                 return;
