@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace LaserTracking.Detection
 {
     /// <summary>Pointers to the working pictures of one frame, valid during one call of Process, and what is read off them per pixel.</summary>
@@ -49,6 +51,7 @@ namespace LaserTracking.Detection
             return table;
         }
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int Level(uint pixel, DetectionPlane plane)
         {
             int blue = (int)(pixel & 255), green = (int)(pixel >> 8 & 255), red = (int)(pixel >> 16 & 255);
@@ -70,6 +73,7 @@ namespace LaserTracking.Detection
         public int Rise(int i, DetectionPlane plane) => Level(Now[i], plane) - Envelope(i, plane);
 
         /// <summary>The rise as a share of the headroom, 0…255. Eight levels of headroom are always granted: noise at full brightness.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public int RelativeRise(int i, DetectionPlane plane)
         {
             int envelope = Envelope(i, plane);

@@ -53,8 +53,8 @@ namespace LaserTracking.Detection
                 RememberedDot place = known.Within(MaxStep);
                 if (HasGoneOut(view, place, noise, out bool isSameAround))
                     continue;
-                Fill(view, view.OldSmallest, place, RingLevel(view, view.Now, place, DetectionPlane.Smallest));
-                Fill(view, view.OldLargest, place, RingLevel(view, view.Now, place, DetectionPlane.Largest));
+                Fill(view, view.OldSmallest, place, RingLevel(view, view.Now, place, DetectionPlane.Smallest, RingQuantile));
+                Fill(view, view.OldLargest, place, RingLevel(view, view.Now, place, DetectionPlane.Largest, RingQuantile));
                 if (Stands(view, place, noise, out candidate))
                     return true;
                 if (!isSameAround && timeUs - known.LastTimeUs < MaxHiddenUs)
@@ -86,10 +86,12 @@ namespace LaserTracking.Detection
         /// <summary>While nothing changed around it, it came down by half of what it had risen.</summary>
         private bool HasGoneOut(in FrameView view, in RememberedDot dot, double noise, out bool isSameAround)
         {
-            int ringNow = RingLevel(view, view.Now, dot, dot.Plane), ringBefore = RingLevel(view, view.Before, dot, dot.Plane);
-            isSameAround = Math.Abs(ringNow - ringBefore) <= 4 * noise + 2;
+            isSameAround = IsSame(view, dot, RingQuantile, noise) && IsSame(view, dot, 0.5, noise) && IsSame(view, dot, 1 - RingQuantile, noise);
             return isSameAround && PeakLevel(view, view.Before, dot) - PeakLevel(view, view.Now, dot) > dot.PeakRise / 2;
         }
+
+        private bool IsSame(in FrameView view, in RememberedDot dot, double quantile, double noise) =>
+            Math.Abs(RingLevel(view, view.Now, dot, dot.Plane, quantile) - RingLevel(view, view.Before, dot, dot.Plane, quantile)) <= 4 * noise + 2;
 
         /// <summary>Its light rises above its past half as far as before at least, in one piece of its size.</summary>
         private bool Stands(in FrameView view, in RememberedDot dot, double noise, out Candidate candidate)
@@ -129,8 +131,8 @@ namespace LaserTracking.Detection
                 new Span<byte>(past + y * view.Width + left, right - left + 1).Fill((byte)level);
         }
 
-        /// <summary>What nine tenths of the box's border do not exceed.</summary>
-        private int RingLevel(in FrameView view, uint* picture, in RememberedDot dot, DetectionPlane plane)
+        /// <summary>What this share of the box's border does not exceed.</summary>
+        private int RingLevel(in FrameView view, uint* picture, in RememberedDot dot, DetectionPlane plane, double quantile)
         {
             Array.Clear(_histogram, 0, _histogram.Length);
             int count = 0;
@@ -144,7 +146,7 @@ namespace LaserTracking.Detection
             }
 
             int level = 0;
-            for (int below = _histogram[0]; below < RingQuantile * count && level < 255; below += _histogram[level])
+            for (int below = _histogram[0]; below < quantile * count && level < 255; below += _histogram[level])
                 level++;
             return level;
         }

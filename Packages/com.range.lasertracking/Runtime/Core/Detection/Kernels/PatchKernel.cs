@@ -4,7 +4,7 @@ using LaserTracking.Imaging;
 namespace LaserTracking.Detection
 {
     /// <summary>The inner loops over the patches by which <see cref="GlobalChangeMeter"/> sees the whole picture move. One patch a call.</summary>
-    internal static unsafe class PatchKernel
+    internal static unsafe partial class PatchKernel
     {
         /// <summary>Side of what is compared, largest displacement looked for, side of what is read; working px.</summary>
         public const int Size = 32, Search = 5, Reach = Search + 1, Window = Size + 2 * Reach;
@@ -19,6 +19,9 @@ namespace LaserTracking.Detection
         {
             int bytes = source.Format == PixelFormat.Bgra32 ? 4 : source.Format == PixelFormat.Yuy2 ? 2 : 1;
             long first = (long)left * factor * bytes + (source.Format == PixelFormat.Bgra32 ? 1 : 0);
+#if NET8_0_OR_GREATER
+            Announce(source, first, top, factor, Window * factor * bytes);
+#endif
             for (int y = 0; y < Window; y++)
             {
                 int line = (top + y) * factor;

@@ -61,18 +61,18 @@ namespace LaserTracking.Detection
         private void SumUp(int first, int end, long* sums)
         {
             byte* here = Now, past = Before;
-            int near = 0, sumNow = 0, sumBefore = 0, middle = Middle, width = Width;
+            int count = 0, sumNow = 0, sumBefore = 0, middle = Middle, width = Width;
             for (int i = first; i < end; i += SampleStep)
             {
-                int now = here[i], before = past[i], off = 64 * now - middle * before;
-                if (!IsUsable(now, before) || (off < 0 ? -off : off) > width * before)
-                    continue;
-                near++;
-                sumNow += now;
-                sumBefore += before;
+                // What is outside one of the limits makes the sign: a branch would be guessed wrongly every few samples.
+                int now = here[i], before = past[i], off = 64 * now - middle * before, near = width * before;
+                int within = ~(before - DarkestForRatio | BrightestForRatio - before | BrightestForRatio - now | near - off | near + off) >> 31;
+                count -= within;
+                sumNow += now & within;
+                sumBefore += before & within;
             }
 
-            sums[0] = near;
+            sums[0] = count;
             sums[1] = sumNow;
             sums[2] = sumBefore;
         }
