@@ -26,8 +26,8 @@ namespace LaserTracking.Detection
         /// <summary>Least difference from the frame before that no displacement takes away: what moves leaves less than that, light on texture more.</summary>
         private const double MinUnexplained = 0.6;
 
-        /// <summary>What hardly any displacement explains at all has this much more for it, log-odds, where neither noise nor the camera's movement nor much that rises at once does so too.</summary>
-        private const double SurelyUnexplained = 0.85, NewLightLogOdds = 1;
+        /// <summary>What hardly any displacement explains at all has this much more for it, log-odds, where noise, movement, and much that rises at once are no other reason.</summary>
+        internal const double SurelyUnexplained = 0.85, NewLightLogOdds = 1;
 
         private readonly ShotDetectorSettings _settings;
         private readonly BlobMeasurer _blobs;
@@ -153,8 +153,10 @@ namespace LaserTracking.Detection
             double unexplained = DisplacementMeasurer.Unexplained(view, candidate);
             if (Fails(ref candidate, unexplained < MinUnexplained, RejectionReason.MovingSurroundings, unexplained, MinUnexplained, "not explained by a displacement"))
                 return;
+
+            // It may wait for that, no more: nothing is decided by it.
             if (unexplained >= SurelyUnexplained)
-                candidate.LogOdds += unexplainedLogOdds;
+                candidate.LogOdds = Math.Max(candidate.LogOdds, Math.Min(candidate.LogOdds + unexplainedLogOdds, least));
             Fails(ref candidate, candidate.LogOdds < least, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What);
         }
 
