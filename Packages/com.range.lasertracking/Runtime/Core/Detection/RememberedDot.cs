@@ -77,7 +77,7 @@ namespace LaserTracking.Detection
             PlaceTop = c.Top;
             PlaceWidth = c.Right - c.Left + 1;
             PlaceHeight = c.Bottom - c.Top + 1;
-            FirstRise = c.PeakRise;
+            FirstRise = HighestRise = c.PeakRise;
             for (int i = 0; i < PlaceSide * PlaceSide; i++)
                 Place[i] = (byte)FrameView.Level(view.Before[PlaceIndex(view, i)], PlacePlane);
             CompareWithPlace(view, 0, out FirstLight, out double _);
@@ -100,6 +100,7 @@ namespace LaserTracking.Detection
         /// <summary>The light goes on: its place was that of its first frame.</summary>
         public void TakePlaceOf(in RememberedDot earlier)
         {
+            HighestRise = Math.Max(earlier.HighestRise, PeakRise);
             if (earlier.IsResting)
                 Rest(earlier);
             PlacePlane = earlier.PlacePlane;

@@ -384,7 +384,6 @@ namespace LaserTracking.Detection
             remembered.Color = dot.Color;
             remembered.LogOdds = candidate.LogOdds;
             remembered.PeakRise = candidate.PeakRise;
-            remembered.HighestRise = Math.Max(known.HighestRise, candidate.PeakRise);
             remembered.PeakRelativeRise = candidate.PeakRelativeRise;
             remembered.Area = candidate.Area;
             remembered.Plane = candidate.Plane;
