@@ -60,7 +60,7 @@ namespace LaserTracking.Burst
             TypeDefinition runner = LintedAssemblies.Core.MainModule.Types.Single(type => type.Name == "KernelRunner");
             IEnumerable<string> kernels = runner.Methods.Where(method => method.Name == "Run").Select(method => ((PointerType)method.Parameters[0].ParameterType).ElementType.Name);
             Assert.That(Jobs.Select(job => job.Name.Substring(0, job.Name.Length - "Job".Length) + "Bands"), Is.EquivalentTo(kernels));
-            IEnumerable<string> bands = LintedAssemblies.Core.MainModule.Types.Where(type => type.Name.EndsWith("Bands", StringComparison.Ordinal)).Select(type => type.Name);
+            IEnumerable<string> bands = LintedAssemblies.Core.MainModule.Types.Where(type => type.Interfaces.Any(one => one.InterfaceType.Name == "IKernelBands")).Select(type => type.Name);
             Assert.That(bands, Is.EquivalentTo(kernels));
         }
 

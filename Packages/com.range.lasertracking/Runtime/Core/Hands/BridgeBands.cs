@@ -1,7 +1,9 @@
+using LaserTracking.Kernels;
+
 namespace LaserTracking.Hands
 {
     /// <summary>Short holes of a grid bridged along lines of cells, rows or columns; a band is a line.</summary>
-    internal unsafe struct BridgeBands
+    internal unsafe struct BridgeBands : IKernelBands
     {
         public float* Z;
         public bool* Lost;

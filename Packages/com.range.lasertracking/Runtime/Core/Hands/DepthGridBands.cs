@@ -1,9 +1,10 @@
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands
 {
     /// <summary>A depth picture gathered into cells; a band is a row of cells.</summary>
-    internal unsafe struct DepthGridBands
+    internal unsafe struct DepthGridBands : IKernelBands
     {
         public PictureView Source;
         public int Width;

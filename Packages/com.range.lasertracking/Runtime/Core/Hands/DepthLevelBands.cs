@@ -1,7 +1,9 @@
+using LaserTracking.Kernels;
+
 namespace LaserTracking.Hands
 {
     /// <summary>Every cell that has a depth waits at level 1, on its own until a body is found behind it; a band is a row.</summary>
-    internal unsafe struct DepthLevelBands
+    internal unsafe struct DepthLevelBands : IKernelBands
     {
         public int Width;
         public float* Z;

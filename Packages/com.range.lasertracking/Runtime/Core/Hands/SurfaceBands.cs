@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands
 {
@@ -6,7 +7,7 @@ namespace LaserTracking.Hands
     /// The next connected surface of a depth grid among the cells of one level, and what is known of it at a glance. One band: cells
     /// follow from one another.
     /// </summary>
-    internal unsafe struct SurfaceBands
+    internal unsafe struct SurfaceBands : IKernelBands
     {
         public int Width;
         public int Height;

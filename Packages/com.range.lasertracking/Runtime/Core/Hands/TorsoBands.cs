@@ -1,7 +1,9 @@
+using LaserTracking.Kernels;
+
 namespace LaserTracking.Hands
 {
     /// <summary>One surface's body, and what stands out before it. One band: sums of fractions go from cell to cell.</summary>
-    internal unsafe struct TorsoBands
+    internal unsafe struct TorsoBands : IKernelBands
     {
         public int Width;
         public float* Z;

@@ -1,9 +1,10 @@
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
     /// <summary>The greatest green excess of every 8×8 pixels in some rows of tiles; a band is a share of those rows.</summary>
-    internal unsafe struct GreenTileBands
+    internal unsafe struct GreenTileBands : IKernelBands
     {
         public PictureView Source;
 

@@ -1,9 +1,10 @@
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
     /// <summary>The brightest count of every 8×8 pixels of an infrared picture; a band is a row of tiles.</summary>
-    internal unsafe struct InfraredTileBands
+    internal unsafe struct InfraredTileBands : IKernelBands
     {
         public PictureView Source;
         public ushort* Tiles;

@@ -1,7 +1,9 @@
+using LaserTracking.Kernels;
+
 namespace LaserTracking.Detection
 {
     /// <summary>Largest byte of each pixel and its eight neighbours; a band is a row.</summary>
-    internal unsafe struct DilationBands
+    internal unsafe struct DilationBands : IKernelBands
     {
         public byte* Source;
         public byte* Target;

@@ -1,10 +1,12 @@
+using LaserTracking.Kernels;
+
 namespace LaserTracking.Detection
 {
     /// <summary>
     /// How often each level occurs on a sparse grid of the working picture: of the pixels' change since the last frame, or of what they
     /// have been. A band is a share of the grid's rows; what bands count is added up afterwards.
     /// </summary>
-    internal unsafe struct HistogramBands
+    internal unsafe struct HistogramBands : IKernelBands
     {
         public const int Levels = 256;
 

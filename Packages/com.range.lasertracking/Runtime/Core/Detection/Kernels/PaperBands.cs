@@ -1,4 +1,5 @@
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
@@ -6,7 +7,7 @@ namespace LaserTracking.Detection
     /// The published algorithm's float pictures of one frame. A band is a share of the reduced rows; what it needs of its neighbours'
     /// rows it works out itself, into scratch, so bands may run in any order or at once.
     /// </summary>
-    internal unsafe struct PaperBands
+    internal unsafe struct PaperBands : IKernelBands
     {
         /// <summary>Three blurred rows of the difference, three of the excess, one raw row of each; intensity and background of a row that is another band's.</summary>
         public const int RowsPerBand = 10;

@@ -1,9 +1,10 @@
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
     /// <summary>Patches spread over the raw picture, read and summed up; a band is a patch.</summary>
-    internal unsafe struct PatchBands
+    internal unsafe struct PatchBands : IKernelBands
     {
         public const int Across = 6, Down = 4, Count = Across * Down, Area = PatchKernel.Window * PatchKernel.Window;
 

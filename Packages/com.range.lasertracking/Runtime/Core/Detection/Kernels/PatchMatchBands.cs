@@ -1,7 +1,9 @@
+using LaserTracking.Kernels;
+
 namespace LaserTracking.Detection
 {
     /// <summary>Where each patch's content has gone since it was remembered; a band is a patch.</summary>
-    internal unsafe struct PatchMatchBands
+    internal unsafe struct PatchMatchBands : IKernelBands
     {
         public double Gain;
         public double Noise;

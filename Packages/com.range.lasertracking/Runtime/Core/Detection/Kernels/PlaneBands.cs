@@ -1,4 +1,5 @@
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
@@ -6,7 +7,7 @@ namespace LaserTracking.Detection
     /// One pass over a raw frame: working picture, envelopes, onsets of the tiles. A band is a share of the rows of tiles; bands write
     /// to different places and read no other band's, so they may run in any order or at once.
     /// </summary>
-    internal unsafe struct PlaneBands
+    internal unsafe struct PlaneBands : IKernelBands
     {
         /// <summary>Rows of scratch: the last three smoothed ones, one that is being reduced, one to shift from.</summary>
         public const int RowsPerBand = 5;

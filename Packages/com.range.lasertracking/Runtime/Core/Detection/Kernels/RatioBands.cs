@@ -1,10 +1,12 @@
+using LaserTracking.Kernels;
+
 namespace LaserTracking.Detection
 {
     /// <summary>
     /// Brightness of samples through that of the same ones a frame ago: first how often each ratio occurs, then, near the commonest,
     /// the sums. A band is a share of the samples; what bands count is added up afterwards, in whole numbers.
     /// </summary>
-    internal unsafe struct RatioBands
+    internal unsafe struct RatioBands : IKernelBands
     {
         private const int SampleStep = 3, DarkestForRatio = 24, BrightestForRatio = 245;
 

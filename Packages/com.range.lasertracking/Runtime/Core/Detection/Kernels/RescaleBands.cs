@@ -1,7 +1,9 @@
+using LaserTracking.Kernels;
+
 namespace LaserTracking.Detection
 {
     /// <summary>The past's levels replaced by those of a table; a band is a row.</summary>
-    internal unsafe struct RescaleBands
+    internal unsafe struct RescaleBands : IKernelBands
     {
         public int Width;
 

@@ -1,7 +1,9 @@
+using LaserTracking.Kernels;
+
 namespace LaserTracking.Detection
 {
     /// <summary>Relative rises of the pixels in chosen tiles; a band is a tile.</summary>
-    internal unsafe struct RiseBands
+    internal unsafe struct RiseBands : IKernelBands
     {
         public FrameView View;
         public DetectionPlane Plane;

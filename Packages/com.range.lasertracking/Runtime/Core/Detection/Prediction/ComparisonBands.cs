@@ -1,9 +1,10 @@
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Detection
 {
     /// <summary>The working picture against what is expected of it: reference levels and the tiles' excess. A band is a share of the rows of tiles.</summary>
-    internal unsafe struct ComparisonBands
+    internal unsafe struct ComparisonBands : IKernelBands
     {
         public int Width;
         public int Height;

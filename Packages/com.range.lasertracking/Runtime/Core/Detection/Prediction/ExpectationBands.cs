@@ -1,7 +1,9 @@
+using LaserTracking.Kernels;
+
 namespace LaserTracking.Detection
 {
     /// <summary>The brightest rendered picture, widened and as the camera would show it. A band is a share of its rows.</summary>
-    internal unsafe struct ExpectationBands
+    internal unsafe struct ExpectationBands : IKernelBands
     {
         public int Width;
         public int Height;

@@ -1,7 +1,9 @@
+using LaserTracking.Kernels;
+
 namespace LaserTracking.Detection
 {
     /// <summary>Each byte of a picture becomes the larger one; a band is a run of pixels.</summary>
-    internal unsafe struct RaiseBands
+    internal unsafe struct RaiseBands : IKernelBands
     {
         public const int PixelsPerBand = 4096;
 

@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Kernels;
 #if NET8_0_OR_GREATER
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
@@ -7,7 +8,7 @@ using System.Runtime.Intrinsics.X86;
 namespace LaserTracking.Hands.Model
 {
     /// <summary>Sums of two rows of floats; a band is a run of them.</summary>
-    internal unsafe struct AddBands
+    internal unsafe struct AddBands : IKernelBands
     {
         public const int ValuesPerBand = 8192;
 

@@ -1,5 +1,6 @@
 using System;
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands.Model
 {
@@ -7,7 +8,7 @@ namespace LaserTracking.Hands.Model
     /// A convolution as a product of matrices; a band is a share of the output's rows, or of its pixels where the window is one pixel
     /// and nothing need be copied side by side.
     /// </summary>
-    internal unsafe struct ConvolutionBands
+    internal unsafe struct ConvolutionBands : IKernelBands
     {
         public FeatureMap Input;
         public FeatureMap Output;

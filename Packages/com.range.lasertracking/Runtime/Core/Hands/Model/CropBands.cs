@@ -1,6 +1,7 @@
 using System;
 using System.Runtime.CompilerServices;
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands.Model
 {
@@ -9,7 +10,7 @@ namespace LaserTracking.Hands.Model
     /// picture, red green blue 0…1; a band is a row of the crop. Infrared is linear and without a unit: here it is only its red, and
     /// <see cref="ExposureBands"/> does the rest.
     /// </summary>
-    internal unsafe struct CropBands
+    internal unsafe struct CropBands : IKernelBands
     {
         private const float InfraredMean = 0.25f;
 

@@ -1,5 +1,6 @@
 using System;
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands.Model
 {
@@ -7,7 +8,7 @@ namespace LaserTracking.Hands.Model
     /// A depthwise convolution; a band is a share of the output's rows. The rows under the window lie in a ring of padded copies, one
     /// for each band, so that the kernel knows no borders.
     /// </summary>
-    internal unsafe struct DepthwiseBands
+    internal unsafe struct DepthwiseBands : IKernelBands
     {
         public FeatureMap Input;
         public FeatureMap Output;

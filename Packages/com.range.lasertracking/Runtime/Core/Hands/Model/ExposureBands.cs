@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands.Model
 {
@@ -6,7 +7,7 @@ namespace LaserTracking.Hands.Model
     /// Infrared in red to grey: brightened, and the root drawn, which is about how a camera shows such a hand. A band is a row of the
     /// crop.
     /// </summary>
-    internal unsafe struct ExposureBands
+    internal unsafe struct ExposureBands : IKernelBands
     {
         public float* Rgb;
         public int Width;

@@ -1,10 +1,11 @@
 using System;
 using LaserTracking.Imaging;
+using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands.Model
 {
     /// <summary>The largest value under a window; a band is a row of the output.</summary>
-    internal unsafe struct MaxPoolBands
+    internal unsafe struct MaxPoolBands : IKernelBands
     {
         public FeatureMap Input;
         public FeatureMap Output;
