@@ -1,8 +1,13 @@
+using System;
+
 namespace LaserTracking.Detection
 {
     /// <summary>A spot that rose above its own past, with everything that the tests measure. Lengths in working pixels.</summary>
-    internal struct Candidate
+    internal unsafe struct Candidate
     {
+        /// <summary>Levels that a dot of the recorded clips gains where it has room: less than most of them.</summary>
+        private const double OrdinaryRise = 64;
+
         public DetectionPlane Plane;
         public int SeedX;
         public int SeedY;
@@ -12,6 +17,30 @@ namespace LaserTracking.Detection
 
         /// <summary>Largest rise as a share of the headroom, 0…255.</summary>
         public int PeakRelativeRise;
+
+        /// <summary>
+        /// Largest rise had there been room, levels: what reached full brightness rose by at least what it shows, an ordinary dot by more,
+        /// the surer the more of the room it took. Movement nearby, where there is room, is held against this.
+        /// </summary>
+        public double UnclippedRise(in FrameView view) =>
+            IsClipped(view) ? Math.Max(PeakRise, OrdinaryRise * PeakRelativeRise * PeakRelativeRise / (255.0 * 255.0)) : PeakRise;
+
+        private bool IsClipped(in FrameView view) => FrameView.Level(view.Now[SeedY * view.Width + SeedX], Plane) >= DetectionPlanes.ClippedFrom;
+
+        /// <summary>
+        /// By how many levels a pixel must have risen beside half of the share of the room, to have risen as the candidate has. Near full brightness a few levels are half of the room: noise is no rise there, and
+        /// beside a clipped dot a pixel that is not clipped itself must have risen by half of what the dot would have.
+        /// </summary>
+        public int LeastRise(in FrameView view, double noise, out int leastUnclipped)
+        {
+            int beyondNoise = (int)(4 * noise) + 3;
+            if (!IsClipped(view))
+                return leastUnclipped = Math.Min(PeakRise / 2, beyondNoise);
+            double unclipped = UnclippedRise(view);
+            int least = Math.Min(PeakRise / 2, Math.Max(beyondNoise, (int)(unclipped / 3)));
+            leastUnclipped = Math.Max(least, (int)(unclipped / 2));
+            return least;
+        }
 
         /// <summary>Pixels at half of the largest relative rise or more, connected to the seed.</summary>
         public int Area;

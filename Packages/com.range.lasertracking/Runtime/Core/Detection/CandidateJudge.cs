@@ -20,6 +20,15 @@ namespace LaserTracking.Detection
         /// <summary>What the projector could show itself, and what rises less than this beyond what moves in its picture, is faint there.</summary>
         private const double MovementFactor = 2;
 
+        /// <summary>Red or green through blue: infrared light rises in all three alike.</summary>
+        private const double MinRiseAgainstBlue = 0.4;
+
+        /// <summary>Least difference from the frame before that no displacement takes away: what moves leaves less than that, light on texture more.</summary>
+        private const double MinUnexplained = 0.6;
+
+        /// <summary>What hardly any displacement explains at all has this much more for it, log-odds, where noise, movement, and much that rises at once are no other reason.</summary>
+        internal const double SurelyUnexplained = 0.85, NewLightLogOdds = 1;
+
         private readonly ShotDetectorSettings _settings;
         private readonly BlobMeasurer _blobs;
 
@@ -104,10 +113,17 @@ namespace LaserTracking.Detection
             double conclusive = _settings.ConclusiveLogOdds + (IsContentKnown && candidate.MayBeContent ? more : 0);
             if (isKnown)
             {
-                // Light that grows further says the same once more; what the picture may show itself grows when it comes from behind.
+                // Light that grows further says the same once more; what the picture may show itself grows when it comes
+                // from behind, too: only what has become twice as bright is weighed, as if it began now.
                 candidate.LogOdds = known.LogOdds;
-                if (!known.IsConclusive && candidate.IsOnset && !candidate.MayBeContent)
-                    candidate.LogOdds += Weigh(view, ref candidate, known.LogOdds, _settings.MinLogOdds, out int _, stackalloc float[DotEvidence.Count]);
+                bool isGrown = candidate.PeakRise >= 2 * known.HighestRise;
+                if (!known.IsConclusive && candidate.IsOnset && (isGrown || !candidate.MayBeContent))
+                {
+                    double before = candidate.MayBeContent ? 0 : known.LogOdds;
+                    double now = Weigh(view, ref candidate, before, _settings.MinLogOdds, out int _, stackalloc float[DotEvidence.Count]);
+                    candidate.LogOdds = Math.Max(candidate.LogOdds, before + now);
+                }
+
                 candidate.IsConclusive = known.IsConclusive || isProvenByLevel || candidate.LogOdds >= conclusive;
                 Fails(ref candidate, !candidate.IsConclusive && WaitLimit.IsOver(known.Frames, TimeUs - known.FirstTimeUs, _settings.MaxWaitFrames, _settings.MaxWaitUs), RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
                 return;
@@ -119,12 +135,29 @@ namespace LaserTracking.Detection
             Span<float> features = stackalloc float[DotEvidence.Count];
             bool isFaint = rise < _settings.FaintRise || (candidate.MayBeContent && candidate.PeakRise < MovementFactor * Movement);
             double least = isFaint ? Math.Max(_settings.MinLogOdds, IsCrowded ? conclusive : _settings.FaintLogOdds) : _settings.MinLogOdds;
-            candidate.LogOdds = Weigh(view, ref candidate, 0, least, out int against, features);
+            bool isCalm = !IsCrowded && !view.IsBetweenPixels && candidate.PeakRise >= 2 * minLevels;
+            double unexplainedLogOdds = isCalm ? NewLightLogOdds : 0;
+            candidate.LogOdds = Weigh(view, ref candidate, 0, least - unexplainedLogOdds, out int against, features);
             EvidenceCurve curve = _settings.Evidence.Curves[against];
-            if (Fails(ref candidate, candidate.LogOdds < least, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What))
+            if (Fails(ref candidate, candidate.LogOdds < least - unexplainedLogOdds, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What))
+                return;
+            double againstBlue = SurroundingsMeasurer.RiseAgainstBlue(view, candidate);
+            if (Fails(ref candidate, againstBlue < MinRiseAgainstBlue, RejectionReason.WrongColor, againstBlue, MinRiseAgainstBlue, "red or green through blue"))
                 return;
             candidate.IsConclusive = candidate.LogOdds >= conclusive;
             Trace?.AddConclusive(candidate.IsConclusive, candidate.LogOdds, conclusive, "all evidence, log-odds", true);
+
+            // Movement explains what is weak or doubtful; strong new light on texture it explains by chance, in part.
+            if (candidate.LogOdds >= conclusive + _settings.ContentLogOdds && rise >= 2 * _settings.FaintRise)
+                return;
+            double unexplained = DisplacementMeasurer.Unexplained(view, candidate);
+            if (Fails(ref candidate, unexplained < MinUnexplained, RejectionReason.MovingSurroundings, unexplained, MinUnexplained, "not explained by a displacement"))
+                return;
+
+            // It may wait for that, no more: nothing is decided by it.
+            if (unexplained >= SurelyUnexplained)
+                candidate.LogOdds = Math.Max(candidate.LogOdds, Math.Min(candidate.LogOdds + unexplainedLogOdds, least));
+            Fails(ref candidate, candidate.LogOdds < least, curve.Reason, features[against], curve.NearestLimit(features[against]), curve.What);
         }
 
         /// <summary>No single measure decides: all of them together say how likely this is a laser's light.</summary>
@@ -189,11 +222,18 @@ namespace LaserTracking.Detection
 
         private bool FailsAtEdge(in FrameView view, ref Candidate candidate)
         {
-            int toEdge = Math.Min(Math.Min(candidate.SeedX, view.Width - 1 - candidate.SeedX), Math.Min(candidate.SeedY, view.Height - 1 - candidate.SeedY));
             bool touches = candidate.Left == 0 || candidate.Top == 0 || candidate.Right == view.Width - 1 || candidate.Bottom == view.Height - 1;
             int least = touches && candidate.PeakRelativeRise < FaintRise ? MinFaintToEdge + (candidate.Right - candidate.Left + candidate.Bottom - candidate.Top) / 6 : MinFaintToEdge;
+            double toEdge = ToEdge(view, candidate.SeedX, candidate.SeedY);
+
+            // The rest of a light whose brightest part has been met already begins at its rim: the middle says where it is.
+            if (least > MinFaintToEdge)
+                toEdge = Math.Min(toEdge, ToEdge(view, candidate.CenterX, candidate.CenterY));
             return Fails(ref candidate, toEdge < least, RejectionReason.CutByEdge, toEdge, least);
         }
+
+        private static double ToEdge(in FrameView view, double x, double y) =>
+            Math.Min(Math.Min(x, view.Width - 1 - x), Math.Min(y, view.Height - 1 - y));
 
         private bool Fails(ref Candidate candidate, bool isFailed, RejectionReason reason, double value, double limit, string? what = null)
         {

@@ -10,7 +10,9 @@ namespace LaserTracking.Detection
     /// </summary>
     internal sealed unsafe class DetectionPlanes
     {
-        private const int ClippedFrom = 250;
+        /// <summary>Levels from which a pixel may be brighter than it shows.</summary>
+        public const int ClippedFrom = 250;
+
         private readonly KernelRunner _kernels;
         private readonly uint[][] _pictures = { Array.Empty<uint>(), Array.Empty<uint>() };
         private readonly byte[][] _smallest = { Array.Empty<byte>(), Array.Empty<byte>() };

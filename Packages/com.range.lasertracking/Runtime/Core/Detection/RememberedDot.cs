@@ -43,6 +43,9 @@ namespace LaserTracking.Detection
         public double LogOdds;
 
         public int PeakRise;
+
+        /// <summary>The largest of its frames so far.</summary>
+        public int HighestRise;
         public double PeakRelativeRise;
         public double Area;
 
@@ -74,7 +77,7 @@ namespace LaserTracking.Detection
             PlaceTop = c.Top;
             PlaceWidth = c.Right - c.Left + 1;
             PlaceHeight = c.Bottom - c.Top + 1;
-            FirstRise = c.PeakRise;
+            FirstRise = HighestRise = c.PeakRise;
             for (int i = 0; i < PlaceSide * PlaceSide; i++)
                 Place[i] = (byte)FrameView.Level(view.Before[PlaceIndex(view, i)], PlacePlane);
             CompareWithPlace(view, 0, out FirstLight, out double _);
@@ -97,6 +100,7 @@ namespace LaserTracking.Detection
         /// <summary>The light goes on: its place was that of its first frame.</summary>
         public void TakePlaceOf(in RememberedDot earlier)
         {
+            HighestRise = Math.Max(earlier.HighestRise, PeakRise);
             if (earlier.IsResting)
                 Rest(earlier);
             PlacePlane = earlier.PlacePlane;
@@ -163,8 +167,13 @@ namespace LaserTracking.Detection
         {
             if (!Covers(c.CenterX, c.CenterY) || (WasAboveContent && c.MayBeContent))
                 return false;
-            if (!IsResting)
-                return 2 * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= 3 * Area;
+            if (!IsResting || !IsConclusive)
+            {
+                // A light whose first frame saw only its beginning grows, and clipped it grows in area alone; what is left of one that has gone is none.
+                int growth = Frames == 1 && c.IsOnset ? 5 : 3;
+                return 3 * c.PeakRise >= HighestRise && 2 * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= growth * Area;
+            }
+
             int more = c.Plane == Plane ? 1 : 2;
             return 2 * LengthOf(c) <= 3 * Length + 4 && 2 * more * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= 3 * more * Area;
         }

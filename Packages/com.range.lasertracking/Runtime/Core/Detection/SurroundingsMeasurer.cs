@@ -5,6 +5,12 @@ namespace LaserTracking.Detection
     /// <summary>Looks at what happens around a candidate: whether it is alone, whether its neighbourhood is at rest, what colour rose.</summary>
     internal static unsafe class SurroundingsMeasurer
     {
+        /// <summary>Vividness between that of grey things and that of lasers.</summary>
+        private const double NeutralVividness = 1.1;
+
+        /// <summary>Mean levels of room from which a channel tells what it rose by.</summary>
+        private const double AmpleHeadroom = 16;
+
         /// <summary>Share of eight pixels all around at this distance that rose at least half as far. What lies outside the picture has not.</summary>
         public static double SpokeShare(in FrameView view, in Candidate candidate, int distance)
         {
@@ -34,6 +40,7 @@ namespace LaserTracking.Detection
             int size = Math.Max(candidate.Right - candidate.Left, candidate.Bottom - candidate.Top) + 1;
             int inner = Math.Max(3, size / 2), outer = inner + Math.Max(6, size / 2);
             int threshold = Math.Max(1, (candidate.PeakRelativeRise + 1) / 2);
+            int least = candidate.LeastRise(view, noise, out int leastUnclipped);
             int risen = 0, count = 0;
             int x0 = Math.Max(0, candidate.Left - outer), x1 = Math.Min(view.Width - 1, candidate.Right + outer);
             int y0 = Math.Max(0, candidate.Top - outer), y1 = Math.Min(view.Height - 1, candidate.Bottom + outer);
@@ -49,9 +56,9 @@ namespace LaserTracking.Detection
                     }
 
                     count++;
-                    int rise = view.RelativeRise(y * view.Width + x, candidate.Plane);
-                    histogram[rise]++;
-                    if (rise >= threshold)
+                    int i = y * view.Width + x;
+                    histogram[view.RelativeRise(i, candidate.Plane)]++;
+                    if (view.HasRisen(i, candidate.Plane, threshold, least, leastUnclipped))
                         risen++;
                 }
             }
@@ -158,10 +165,45 @@ namespace LaserTracking.Detection
             candidate.BlueRise = blue;
             candidate.GreenCoherence = either > 0 ? (green - red) / either : 0;
             double unit = 255 / ((double)candidate.Area * candidate.PeakRelativeRise);
-            candidate.Vividness = Math.Max(red, green) * unit;
-            candidate.Freshness = Math.Max(blue * unit, candidate.Vividness);
+            candidate.Freshness = Math.Max(blue, Math.Max(red, green)) * unit;
+            candidate.Vividness = Math.Max(red * unit + NeutralVividness * Unsaid(candidate, candidate.RedHeadroom),
+                green * unit + NeutralVividness * Unsaid(candidate, candidate.GreenHeadroom));
         }
 
-        private static double Share(int now, int before) => (now - before) / (double)(255 - before + 8);
+        /// <summary>
+        /// The larger of red's and green's change through blue's, levels, in the box and beyond that of its border; 1 where one of them
+        /// had not room enough to rise as far. Lasers are red, green or infrared; what compression makes of a dark or coloured wall is often blue.
+        /// </summary>
+        public static double RiseAgainstBlue(in FrameView view, in Candidate candidate)
+        {
+            int x0 = Math.Max(0, candidate.Left - 3), x1 = Math.Min(view.Width - 1, candidate.Right + 3);
+            int y0 = Math.Max(0, candidate.Top - 3), y1 = Math.Min(view.Height - 1, candidate.Bottom + 3);
+            double red = 0, green = 0, blue = 0;
+            int inside = (candidate.Right - candidate.Left + 1) * (candidate.Bottom - candidate.Top + 1), border = (x1 - x0 + 1) * (y1 - y0 + 1) - inside;
+            for (int y = y0; y <= y1; y++)
+            {
+                for (int x = x0; x <= x1; x++)
+                {
+                    bool isInside = x >= candidate.Left && x <= candidate.Right && y >= candidate.Top && y <= candidate.Bottom;
+                    double weight = isInside ? 1.0 / inside : -1.0 / border;
+                    uint now = view.Now[y * view.Width + x], before = view.Before[y * view.Width + x];
+                    red += weight * ((int)(now >> 16 & 255) - (int)(before >> 16 & 255));
+                    green += weight * ((int)(now >> 8 & 255) - (int)(before >> 8 & 255));
+                    blue += weight * ((int)(now & 255) - (int)(before & 255));
+                }
+            }
+
+            return blue <= 0 || Math.Min(candidate.RedHeadroom, candidate.GreenHeadroom) < 2 * blue ? 1 : Math.Max(red, green) / blue;
+        }
+
+        /// <summary>
+        /// How much of what a channel or plane would have told is missing for want of room, 0…1: there a value counts that speaks neither
+        /// for nor against. Only beside light that takes half of the room that is left elsewhere: less is what noise does, too.
+        /// </summary>
+        public static double Unsaid(in Candidate candidate, double headroom) =>
+            Math.Max(0, 1 - headroom / AmpleHeadroom) * Math.Min(1, candidate.PeakRelativeRise / 127.5);
+
+        /// <summary>By the room that the darker of the two left: what leaves full brightness falls no further than what reaches it rises.</summary>
+        private static double Share(int now, int before) => (now - before) / (double)(255 - Math.Min(now, before) + 8);
     }
 }

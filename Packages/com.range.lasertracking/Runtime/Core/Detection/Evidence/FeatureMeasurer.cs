@@ -8,6 +8,9 @@ namespace LaserTracking.Detection
         /// <summary>Every second pixel of every second row is looked at.</summary>
         private const int Step = 2;
 
+        /// <summary>Values that speak neither for nor against a dot: for what had no room to say more.</summary>
+        private const double NeutralCoherence = 0.83, NeutralOtherRise = 0.13;
+
         /// <param name="view">The frame.</param>
         /// <param name="candidate">Grown, with its colours measured.</param>
         /// <param name="scale">Working px per pixel of a picture 640 wide.</param>
@@ -15,20 +18,23 @@ namespace LaserTracking.Detection
         /// <param name="features">One value for each <see cref="DotFeature"/>; those of the surroundings stay as they are.</param>
         public static void MeasureItself(in FrameView view, in Candidate candidate, double scale, int contentLevel, Span<float> features)
         {
-            double rise = candidate.PeakRise, area = candidate.Area / (scale * scale);
+            double rise = candidate.PeakRise, unclipped = candidate.UnclippedRise(view), area = candidate.Area / (scale * scale);
             int seed = candidate.SeedY * view.Width + candidate.SeedX;
             DetectionPlane other = candidate.Plane == DetectionPlane.Largest ? DetectionPlane.Smallest : DetectionPlane.Largest;
             Set(features, DotFeature.Rise, candidate.PeakRelativeRise / 255.0);
             Set(features, DotFeature.LogArea, Math.Log(area));
             Set(features, DotFeature.Compactness, candidate.Compactness);
             Set(features, DotFeature.LogElongation, Math.Log(candidate.LongSigma / candidate.ShortSigma));
-            Set(features, DotFeature.Activity, candidate.Activity / rise);
-            Set(features, DotFeature.ActivityAround, candidate.ActivityAround / rise);
-            Set(features, DotFeature.Freshness, view.Change(seed, candidate.Plane) / rise);
+            Set(features, DotFeature.Activity, candidate.Activity / unclipped);
+            Set(features, DotFeature.ActivityAround, candidate.ActivityAround / unclipped);
+
+            // What was darker lately only comes back to its past; how far it rises above that is new, the surer the more of the room it takes.
+            double fresh = view.Change(seed, candidate.Plane) / rise;
+            Set(features, DotFeature.Freshness, Math.Min(fresh, 1 + (fresh - 1) * (1 - candidate.PeakRelativeRise / 255.0)));
             Set(features, DotFeature.Vividness, candidate.Vividness);
-            Set(features, DotFeature.Coherence, Math.Abs(candidate.GreenCoherence));
+            Set(features, DotFeature.Coherence, Math.Max(Math.Abs(candidate.GreenCoherence), NeutralCoherence * SurroundingsMeasurer.Unsaid(candidate, Math.Max(candidate.RedHeadroom, candidate.GreenHeadroom))));
             Set(features, DotFeature.ContentExcess, (SurroundingsMeasurer.PeakLevel(view, candidate) - contentLevel) / 64.0);
-            Set(features, DotFeature.OtherRise, view.RelativeRise(seed, other) / 255.0);
+            Set(features, DotFeature.OtherRise, Math.Max(view.RelativeRise(seed, other) / 255.0, NeutralOtherRise * SurroundingsMeasurer.Unsaid(candidate, 255 - view.Envelope(seed, other))));
             Set(features, DotFeature.LogStrength, Math.Log(Math.Max(1, rise * Math.Sqrt(area))));
         }
 
@@ -42,7 +48,8 @@ namespace LaserTracking.Detection
             Set(features, DotFeature.RingShare, c.RingShare);
             int size = Math.Max(c.Right - c.Left, c.Bottom - c.Top) + 1;
             int inner = Math.Max(4, size / 2), near = inner + Math.Max(6, size / 2);
-            int threshold = Math.Max(c.PeakRise / 6, (int)(4 * noise) + 2), half = Math.Max(1, (c.PeakRelativeRise + 1) / 2);
+            int threshold = Math.Max((int)(c.UnclippedRise(view) / 6), (int)(4 * noise) + 2), half = Math.Max(1, (c.PeakRelativeRise + 1) / 2);
+            int least = c.LeastRise(view, noise, out int leastUnclipped);
             int brighter = 0, darker = 0, risen = 0, count = 0, darkerRing = 0, ring = 0;
             long nowRing = 0, beforeRing = 0;
             for (int y = Math.Max(0, c.Top - radius); y <= Math.Min(view.Height - 1, c.Bottom + radius); y += Step)
@@ -60,7 +67,7 @@ namespace LaserTracking.Detection
                         brighter++;
                     else if (change < -threshold)
                         darker++;
-                    if (view.RelativeRise(i, c.Plane) >= half)
+                    if (view.HasRisen(i, c.Plane, half, least, leastUnclipped))
                         risen++;
                     if (distance > near)
                         continue;
