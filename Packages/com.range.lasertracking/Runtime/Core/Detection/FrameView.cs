@@ -74,11 +74,14 @@ namespace LaserTracking.Detection
 
         /// <summary>The rise as a share of the headroom, 0…255. Eight levels of headroom are always granted: noise at full brightness.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public int RelativeRise(int i, DetectionPlane plane)
+        public int RelativeRise(int i, DetectionPlane plane) => RelativeRise(Now[i], plane, Envelope(i, plane), Reciprocal);
+
+        /// <summary>The same of a pixel whose past explains this much.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static int RelativeRise(uint pixel, DetectionPlane plane, int envelope, int* reciprocal)
         {
-            int envelope = Envelope(i, plane);
-            int rise = Level(Now[i], plane) - envelope;
-            return rise <= 0 ? 0 : rise * Reciprocal[255 - envelope] >> 8;
+            int rise = Level(pixel, plane) - envelope;
+            return rise <= 0 ? 0 : rise * reciprocal[255 - envelope] >> 8;
         }
 
         /// <summary>Risen by such a share of the room, 0…255, and by so many levels: by the second number where it is not at full brightness.</summary>

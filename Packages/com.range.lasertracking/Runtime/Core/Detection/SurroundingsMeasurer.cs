@@ -1,10 +1,14 @@
 using System;
+using System.Linq;
 
 namespace LaserTracking.Detection
 {
     /// <summary>Looks at what happens around a candidate: whether it is alone, whether its neighbourhood is at rest, what colour rose.</summary>
     internal static unsafe class SurroundingsMeasurer
     {
+        /// <summary>One through the room above each level, eight levels granted.</summary>
+        private static readonly double[] ThroughRoom = Enumerable.Range(0, 256).Select(level => 1.0 / (255 - level + 8)).ToArray();
+
         /// <summary>Vividness between that of grey things and that of lasers.</summary>
         private const double NeutralVividness = 1.1;
 
@@ -204,6 +208,6 @@ namespace LaserTracking.Detection
             Math.Max(0, 1 - headroom / AmpleHeadroom) * Math.Min(1, candidate.PeakRelativeRise / 127.5);
 
         /// <summary>By the room that the darker of the two left: what leaves full brightness falls no further than what reaches it rises.</summary>
-        private static double Share(int now, int before) => (now - before) / (double)(255 - Math.Min(now, before) + 8);
+        private static double Share(int now, int before) => (now - before) * ThroughRoom[now < before ? now : before];
     }
 }

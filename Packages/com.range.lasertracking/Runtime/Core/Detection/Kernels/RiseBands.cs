@@ -21,11 +21,17 @@ namespace LaserTracking.Detection
         {
             int x0 = Tiles[slot] % TileColumns * TileGrid.Size, y0 = Tiles[slot] / TileColumns * TileGrid.Size;
             int x1 = x0 + TileGrid.Size < View.Width ? x0 + TileGrid.Size : View.Width, y1 = y0 + TileGrid.Size < View.Height ? y0 + TileGrid.Size : View.Height;
+
+            // In variables: what is written through a pointer could be this very structure.
+            uint* now = View.Now;
+            byte* past = Plane == DetectionPlane.Smallest ? View.OldSmallest : View.OldLargest;
+            int* reciprocal = View.Reciprocal;
+            DetectionPlane plane = Plane;
             for (int y = y0; y < y1; y++)
             {
                 byte* to = Rises + (slot * TileGrid.Size + y - y0) * TileGrid.Size;
-                for (int x = x0; x < x1; x++)
-                    *to++ = (byte)View.RelativeRise(y * View.Width + x, Plane);
+                for (int i = y * View.Width + x0; i < y * View.Width + x1; i++)
+                    *to++ = (byte)FrameView.RelativeRise(now[i], plane, past[i], reciprocal);
             }
         }
     }
