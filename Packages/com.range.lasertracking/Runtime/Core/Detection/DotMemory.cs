@@ -45,8 +45,10 @@ namespace LaserTracking.Detection
         /// <summary>Keeps a dot of the last frame that may be there although nothing shows it: it protects nothing and hides nothing.</summary>
         public void AddHidden(in RememberedDot dot)
         {
-            if (_hiddenCount < Capacity)
-                _hidden[_hiddenCount++] = dot;
+            if (_hiddenCount == Capacity)
+                return;
+            _hidden[_hiddenCount] = dot;
+            _hidden[_hiddenCount++].IsHidden = true;
         }
 
         /// <summary>The dot of the last frame that shone here.</summary>

@@ -66,6 +66,9 @@ namespace LaserTracking.Detection
         /// <summary>Found again in the frame being processed.</summary>
         public bool IsContinued;
 
+        /// <summary>Was not to be seen in the last frame but may be there: its place has learned its light by now.</summary>
+        public bool IsHidden;
+
         /// <summary>Holds the place of a candidate that waits, against parts of it in the same plane.</summary>
         public bool IsProvisional;
 
