@@ -51,13 +51,13 @@ namespace LaserTracking.Detection
                 }
 
                 RememberedDot place = known.Within(MaxStep);
-                if (HasGoneOut(view, place, noise))
+                if (HasGoneOut(view, place, noise, out bool isSameAround))
                     continue;
                 Fill(view, view.OldSmallest, place, RingLevel(view, view.Now, place, DetectionPlane.Smallest, RingQuantile));
                 Fill(view, view.OldLargest, place, RingLevel(view, view.Now, place, DetectionPlane.Largest, RingQuantile));
                 if (Stands(view, place, noise, out candidate))
                     return true;
-                if (timeUs - known.LastTimeUs < MaxHiddenUs)
+                if ((known.IsHidden || !isSameAround) && timeUs - known.LastTimeUs < MaxHiddenUs)
                     _memory.AddHidden(known);
             }
 
@@ -84,9 +84,9 @@ namespace LaserTracking.Detection
         }
 
         /// <summary>While nothing changed around it, it came down by half of what it had risen.</summary>
-        private bool HasGoneOut(in FrameView view, in RememberedDot dot, double noise)
+        private bool HasGoneOut(in FrameView view, in RememberedDot dot, double noise, out bool isSameAround)
         {
-            bool isSameAround = IsSame(view, dot, RingQuantile, noise) && IsSame(view, dot, 0.5, noise) && IsSame(view, dot, 1 - RingQuantile, noise);
+            isSameAround = IsSame(view, dot, RingQuantile, noise) && IsSame(view, dot, 0.5, noise) && IsSame(view, dot, 1 - RingQuantile, noise);
             return isSameAround && PeakLevel(view, view.Before, dot) - PeakLevel(view, view.Now, dot) > dot.PeakRise / 2;
         }
 
