@@ -55,7 +55,7 @@ namespace LaserTracking.Detection
                     continue;
                 Fill(view, view.OldSmallest, place, RingLevel(view, view.Now, place, DetectionPlane.Smallest, RingQuantile));
                 Fill(view, view.OldLargest, place, RingLevel(view, view.Now, place, DetectionPlane.Largest, RingQuantile));
-                if (Stands(view, place, noise, out candidate))
+                if (Stands(view, place, noise, out candidate) && IsNear(candidate, known))
                     return true;
                 if ((known.IsHidden || !isSameAround) && timeUs - known.LastTimeUs < MaxHiddenUs)
                     _memory.AddHidden(known);
@@ -102,7 +102,7 @@ namespace LaserTracking.Detection
                 for (int x = Math.Max(0, dot.Left + 1); x <= Math.Min(view.Width - 1, dot.Right - 1); x++)
                 {
                     int rise = view.RelativeRise(y * view.Width + x, dot.Plane);
-                    if (rise <= candidate.PeakRelativeRise)
+                    if (rise <= candidate.PeakRelativeRise || _memory.IsLit(x, y))
                         continue;
                     candidate.PeakRelativeRise = rise;
                     candidate.SeedX = x;
@@ -123,6 +123,9 @@ namespace LaserTracking.Detection
             SurroundingsMeasurer.Ring(view, ref candidate, noise);
             return true;
         }
+
+        private static bool IsNear(in Candidate candidate, in RememberedDot dot) =>
+            Math.Abs(candidate.CenterX - 0.5 * (dot.Left + dot.Right)) <= MaxStep && Math.Abs(candidate.CenterY - 0.5 * (dot.Top + dot.Bottom)) <= MaxStep;
 
         private static void Fill(in FrameView view, byte* past, in RememberedDot dot, int level)
         {
