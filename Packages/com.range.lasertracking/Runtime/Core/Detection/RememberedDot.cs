@@ -9,8 +9,8 @@ namespace LaserTracking.Detection
         /// <summary>What compression leaves behind in the blocks of a light that has gone, levels.</summary>
         private const int CompressionLevels = 2;
 
-        /// <summary>Microseconds from which a light rests: nearly all flashes are shorter.</summary>
-        private const long RestUs = 150_000;
+        /// <summary>Microseconds from which a light rests: most flashes are shorter.</summary>
+        private const long RestUs = 90_000;
 
         /// <summary>Samples along each side of the place as it was before the light.</summary>
         public const int PlaceSide = 10;
@@ -60,7 +60,7 @@ namespace LaserTracking.Detection
         /// <summary>It was brighter than the projected picture can be: what is not any more is what lies there now, not the dot.</summary>
         public bool WasAboveContent;
 
-        /// <summary>On for longer than nearly all flashes.</summary>
+        /// <summary>On for longer than most flashes.</summary>
         public bool IsResting => LastTimeUs - FirstTimeUs >= RestUs;
 
         /// <summary>Found again in the frame being processed.</summary>

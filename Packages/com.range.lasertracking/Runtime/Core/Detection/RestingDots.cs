@@ -3,13 +3,13 @@ using System;
 namespace LaserTracking.Detection
 {
     /// <summary>
-    /// Finds dots that rest again, before anything new is looked for. Where the picture behind one has changed its rise above its
+    /// Finds the dots of the last frame that rest again, before anything new is looked for. Where the picture behind one has changed its rise above its
     /// pixels' past says nothing, but it still stands out from what lies around it. That is made its past, so that it is grown and
     /// measured like any other dot.
     /// </summary>
     internal sealed unsafe class RestingDots
     {
-        /// <summary>Microseconds for which a dot is looked for where its surroundings leave no room to see it.</summary>
+        /// <summary>Microseconds for which a dot is looked for where its surroundings leave no room to see it; no longer than it had been on.</summary>
         private const long MaxHiddenUs = 1_000_000;
 
         /// <summary>Working px by which a resting dot may have moved, or been misplaced by what passed behind it.</summary>
@@ -57,7 +57,7 @@ namespace LaserTracking.Detection
                 Fill(view, view.OldLargest, place, RingLevel(view, view.Now, place, DetectionPlane.Largest, RingQuantile));
                 if (Stands(view, place, noise, out candidate) && IsNear(candidate, known))
                     return true;
-                if ((known.IsHidden || !isSameAround) && timeUs - known.LastTimeUs < MaxHiddenUs)
+                if ((known.IsHidden || !isSameAround) && timeUs - known.LastTimeUs < Math.Min(MaxHiddenUs, known.LastTimeUs - known.FirstTimeUs))
                     _memory.AddHidden(known);
             }
 

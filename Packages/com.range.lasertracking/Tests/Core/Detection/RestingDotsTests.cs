@@ -13,6 +13,8 @@ namespace LaserTracking.Detection
 
         [TestCase(7)]
         [TestCase(8)]
+        [TestCase(28)]
+        [TestCase(47)]
         public void Dot_ThatRestsWhileUnknownPicturesMove_IsOneShotAndStaysADot(int seed)
         {
             SimulationScenario scenario = MovingRange.Scenario(seed, 9);
