@@ -123,7 +123,12 @@ namespace LaserTracking.Unity
             other.ShotFired += _ => shots++;
             rig.Range.gameObject.SetActive(true);
             second.SetActive(true);
-            rig.Play(2);
+            for (int i = 0; i < 120; i++)
+            {
+                rig.Step(1 / 60.0);
+                other.CompleteDueFrames();
+            }
+
             Assert.That(ConsoleLog.Entries.Count(entry => entry.Message.StartsWith("LaserRange second: its hand source  already serves LaserRange range, and one camera can serve only once")), Is.EqualTo(1));
             ConsoleLog.Clear();
             Assert.That((rig.Shots.Count, shots, opened), Is.EqualTo((1, 1, 1)));
