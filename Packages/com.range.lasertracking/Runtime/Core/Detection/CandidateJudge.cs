@@ -112,22 +112,37 @@ namespace LaserTracking.Detection
             double more = _settings.ContentLogOdds * (candidate.Vividness < GreyVividness ? 2 : 1);
             double conclusive = _settings.ConclusiveLogOdds + (IsContentKnown && candidate.MayBeContent ? more : 0);
             if (isKnown)
-            {
-                // Light that grows further says the same once more; what the picture may show itself grows when it comes
-                // from behind, too: only what has become twice as bright is weighed, as if it began now.
-                candidate.LogOdds = known.LogOdds;
-                bool isGrown = candidate.PeakRise >= 2 * known.HighestRise;
-                if (!known.IsConclusive && candidate.IsOnset && (isGrown || !candidate.MayBeContent))
-                {
-                    double before = candidate.MayBeContent ? 0 : known.LogOdds;
-                    double now = Weigh(view, ref candidate, before, _settings.MinLogOdds, out int _, stackalloc float[DotEvidence.Count]);
-                    candidate.LogOdds = Math.Max(candidate.LogOdds, before + now);
-                }
+                GoOn(view, ref candidate, known, isProvenByLevel, conclusive);
+            else
+                Begin(view, ref candidate, minLevels, conclusive);
+        }
 
-                candidate.IsConclusive = known.IsConclusive || isProvenByLevel || candidate.LogOdds >= conclusive;
-                Fails(ref candidate, !candidate.IsConclusive && WaitLimit.IsOver(known.Frames, TimeUs - known.FirstTimeUs, _settings.MaxWaitFrames, _settings.MaxWaitUs), RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
-                return;
+        /// <summary>What still has to be said of a light that was there in the last frame.</summary>
+        private void GoOn(in FrameView view, ref Candidate candidate, in RememberedDot known, bool isProvenByLevel, double conclusive)
+        {
+            // Light that grows further says the same once more; what the picture may show itself grows when it comes
+            // from behind, too: only what has become twice as bright is weighed, as if it began now.
+            candidate.LogOdds = known.LogOdds;
+            bool isGrown = candidate.PeakRise >= 2 * known.HighestRise;
+            if (!known.IsConclusive && candidate.IsOnset && (isGrown || !candidate.MayBeContent))
+            {
+                double before = candidate.MayBeContent ? 0 : known.LogOdds;
+                double now = Weigh(view, ref candidate, before, _settings.MinLogOdds, out int _, stackalloc float[DotEvidence.Count]);
+                candidate.LogOdds = Math.Max(candidate.LogOdds, before + now);
             }
+
+            candidate.IsConclusive = known.IsConclusive || isProvenByLevel || candidate.LogOdds >= conclusive;
+            Fails(ref candidate, !candidate.IsConclusive && WaitLimit.IsOver(known.Frames, TimeUs - known.FirstTimeUs, _settings.MaxWaitFrames, _settings.MaxWaitUs), RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
+        }
+
+        /// <summary>What a light that begins has to show.</summary>
+        /// <param name="view">The frame.</param>
+        /// <param name="candidate">Grown, with its colours measured.</param>
+        /// <param name="minLevels">Least rise of any candidate.</param>
+        /// <param name="conclusive">Log-odds from which this frame suffices.</param>
+        private void Begin(in FrameView view, ref Candidate candidate, double minLevels, double conclusive)
+        {
+            double rise = candidate.PeakRelativeRise / 255.0;
 
             // Where a flash has passed, pixels stand above their past that have only stopped falling: light rises in some channel.
             if (Fails(ref candidate, candidate.Freshness < _settings.MinFreshness, RejectionReason.NotNew, candidate.Freshness, _settings.MinFreshness, "freshness"))
