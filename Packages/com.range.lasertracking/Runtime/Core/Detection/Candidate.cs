@@ -3,7 +3,7 @@ using System;
 namespace LaserTracking.Detection
 {
     /// <summary>A spot that rose above its own past, with everything that the tests measure. Lengths in working pixels.</summary>
-    internal unsafe struct Candidate
+    internal struct Candidate
     {
         /// <summary>Levels that a dot of the recorded clips gains where it has room: less than most of them.</summary>
         private const double OrdinaryRise = 64;
@@ -17,30 +17,6 @@ namespace LaserTracking.Detection
 
         /// <summary>Largest rise as a share of the headroom, 0…255.</summary>
         public int PeakRelativeRise;
-
-        /// <summary>
-        /// Largest rise had there been room, levels: what reached full brightness rose by at least what it shows, an ordinary dot by more,
-        /// the surer the more of the room it took. Movement nearby, where there is room, is held against this.
-        /// </summary>
-        public double UnclippedRise(in FrameView view) =>
-            IsClipped(view) ? Math.Max(PeakRise, OrdinaryRise * PeakRelativeRise * PeakRelativeRise / (255.0 * 255.0)) : PeakRise;
-
-        private bool IsClipped(in FrameView view) => FrameView.Level(view.Now[SeedY * view.Width + SeedX], Plane) >= DetectionPlanes.ClippedFrom;
-
-        /// <summary>
-        /// By how many levels a pixel must have risen beside half of the share of the room, to have risen as the candidate has. Near full brightness a few levels are half of the room: noise is no rise there, and
-        /// beside a clipped dot a pixel that is not clipped itself must have risen by half of what the dot would have.
-        /// </summary>
-        public int LeastRise(in FrameView view, double noise, out int leastUnclipped)
-        {
-            int beyondNoise = (int)(4 * noise) + 3;
-            if (!IsClipped(view))
-                return leastUnclipped = Math.Min(PeakRise / 2, beyondNoise);
-            double unclipped = UnclippedRise(view);
-            int least = Math.Min(PeakRise / 2, Math.Max(beyondNoise, (int)(unclipped / 3)));
-            leastUnclipped = Math.Max(least, (int)(unclipped / 2));
-            return least;
-        }
 
         /// <summary>Pixels at half of the largest relative rise or more, connected to the seed.</summary>
         public int Area;
@@ -119,6 +95,30 @@ namespace LaserTracking.Detection
 
         /// <summary>Not brighter than the projected picture can be, where that is known.</summary>
         public bool MayBeContent;
+
+        /// <summary>
+        /// Largest rise had there been room, levels: what reached full brightness rose by at least what it shows, an ordinary dot by more,
+        /// the surer the more of the room it took. Movement nearby, where there is room, is held against this.
+        /// </summary>
+        public double UnclippedRise(in FrameView view) =>
+            IsClipped(view) ? Math.Max(PeakRise, OrdinaryRise * PeakRelativeRise * PeakRelativeRise / (255.0 * 255.0)) : PeakRise;
+
+        private bool IsClipped(in FrameView view) => view.IsClipped(SeedY * view.Width + SeedX, Plane);
+
+        /// <summary>
+        /// By how many levels a pixel must have risen beside half of the share of the room, to have risen as the candidate has. Near
+        /// full brightness a few levels are half of the room: noise is no rise there, and beside a clipped dot a pixel that is not clipped itself must have risen by half of what the dot would have.
+        /// </summary>
+        public int LeastRise(in FrameView view, double noise, out int leastUnclipped)
+        {
+            int beyondNoise = (int)(4 * noise) + 3;
+            if (!IsClipped(view))
+                return leastUnclipped = Math.Min(PeakRise / 2, beyondNoise);
+            double unclipped = UnclippedRise(view);
+            int least = Math.Min(PeakRise / 2, Math.Max(beyondNoise, (int)(unclipped / 3)));
+            leastUnclipped = Math.Max(least, (int)(unclipped / 2));
+            return least;
+        }
 
         /// <summary>Whatever a rejected spot's shape is, if it grows dimmer it is a light that is going out.</summary>
         public bool Fade(in FrameView view)

@@ -84,9 +84,12 @@ namespace LaserTracking.Detection
             return rise <= 0 ? 0 : rise * reciprocal[255 - envelope] >> 8;
         }
 
+        /// <summary>At full brightness or nearly so: it may be brighter than it shows.</summary>
+        public bool IsClipped(int i, DetectionPlane plane) => Level(Now[i], plane) >= DetectionPlanes.ClippedFrom;
+
         /// <summary>Risen by such a share of the room, 0…255, and by so many levels: by the second number where it is not at full brightness.</summary>
         public bool HasRisen(int i, DetectionPlane plane, int share, int least, int leastUnclipped) => RelativeRise(i, plane) >= share
-            && Rise(i, plane) >= (Level(Now[i], plane) >= DetectionPlanes.ClippedFrom ? least : leastUnclipped);
+            && Rise(i, plane) >= (IsClipped(i, plane) ? least : leastUnclipped);
 
         /// <summary>Change since the last frame, levels; between pixels only what leaves the range of the nine pixels around.</summary>
         public int Change(int i, DetectionPlane plane)

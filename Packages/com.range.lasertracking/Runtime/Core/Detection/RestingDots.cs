@@ -124,6 +124,7 @@ namespace LaserTracking.Detection
             return true;
         }
 
+        /// <summary>No farther from where it was than a resting dot goes.</summary>
         private static bool IsNear(in Candidate candidate, in RememberedDot dot) =>
             Math.Abs(candidate.CenterX - 0.5 * (dot.Left + dot.Right)) <= MaxStep && Math.Abs(candidate.CenterY - 0.5 * (dot.Top + dot.Bottom)) <= MaxStep;
 

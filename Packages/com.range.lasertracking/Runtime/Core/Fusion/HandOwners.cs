@@ -87,8 +87,7 @@ namespace LaserTracking.Fusion
             Vector3D weapon = _camera.PoseInScreenMm.TransformDirection(hand.WeaponDirection);
             if (weapon.LengthSquared == 0)
                 return 1;
-            double turn = Math.Atan2(weapon.X * direction.Z - weapon.Z * direction.X, weapon.X * direction.X + weapon.Z * direction.Z);
-            double errors = turn / _settings.BearingSigmaRad;
+            double errors = Vector3D.Turn(weapon, direction) / _settings.BearingSigmaRad;
             return AtLeast(Math.Exp(-0.5 * errors * errors));
         }
 

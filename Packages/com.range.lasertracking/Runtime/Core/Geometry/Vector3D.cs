@@ -43,6 +43,9 @@ namespace LaserTracking.Geometry
         /// <summary>Component by component, as Unity's Vector3.Scale.</summary>
         public static Vector3D Scale(Vector3D a, Vector3D b) => new Vector3D(a.X * b.X, a.Y * b.Y, a.Z * b.Z);
 
+        /// <summary>Angle from one to another as seen along Y, radians, −π…π: their bearings' difference, whatever their slopes.</summary>
+        public static double Turn(Vector3D from, Vector3D to) => Math.Atan2(from.X * to.Z - from.Z * to.X, from.X * to.X + from.Z * to.Z);
+
         public static double Dot(Vector3D a, Vector3D b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 
         public static Vector3D Cross(Vector3D a, Vector3D b) =>

@@ -264,7 +264,7 @@ namespace LaserTracking.Hands
                 Vector3D sight = muzzle - _people[i].EyeMm;
                 if (_people[i].Id == 0 || _people[i].IsHeadHidden)
                     continue;
-                double turn = Math.Atan2(ahead.X * sight.Z - ahead.Z * sight.X, ahead.X * sight.X + ahead.Z * sight.Z);
+                double turn = Vector3D.Turn(ahead, sight);
                 if (_people[i].Id == nowId)
                     now = turn * turn;
                 if (sight.Length < MinArmMm || sight.Length > MaxArmMm || turn * turn >= best)
