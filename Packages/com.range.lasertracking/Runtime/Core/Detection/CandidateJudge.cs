@@ -93,12 +93,19 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, candidate.Compactness < _settings.MinCompactness, RejectionReason.NotCompact, candidate.Compactness, _settings.MinCompactness))
                 return;
             candidate.Strength = candidate.PeakRise * Math.Sqrt(candidate.Area / area);
-            double fresh = view.Change(candidate.SeedY * view.Width + candidate.SeedX, candidate.Plane) / (double)candidate.PeakRise;
+            int seed = candidate.SeedY * view.Width + candidate.SeedX;
+            double fresh = view.Change(seed, candidate.Plane) / (double)candidate.PeakRise;
             candidate.IsOnset = fresh >= 0.5;
             int excess = SurroundingsMeasurer.PeakLevel(view, candidate) - ContentLevel;
             candidate.ContentLevel = ContentLevel;
             candidate.ExceedsContent = IsContentKnown && excess >= _settings.MinContentExcess;
             candidate.MayBeContent = excess < _settings.MinContentExcess && (IsContentKnown || candidate.ActivityAround > _settings.QuietActivity);
+
+            // What waits is weighed anew where it has grown most: a light that the smallest channel hardly shows is left to the largest.
+            int largest = view.RelativeRise(seed, DetectionPlane.Largest);
+            if (candidate.PeakRelativeRise < largest && memory.IsWaiting(candidate)
+                && Fails(ref candidate, true, RejectionReason.Duplicate, rise, largest / 255.0, "rise, share of room, in the largest channel"))
+                return;
             bool isKnown = memory.TryFind(candidate, out known);
             if (!isKnown && memory.IsPartOfResting(candidate, out double part)
                 && Fails(ref candidate, true, RejectionReason.Duplicate, part, DotMemory.MaxPartShare, "share of a resting dot's area"))

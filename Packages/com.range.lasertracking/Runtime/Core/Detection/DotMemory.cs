@@ -68,6 +68,18 @@ namespace LaserTracking.Detection
             return false;
         }
 
+        /// <summary>Whether a dot of the last frame that is not decided yet goes on as this candidate.</summary>
+        public bool IsWaiting(in Candidate candidate)
+        {
+            for (int i = 0; i < _lastCount; i++)
+            {
+                if (!_last[i].IsContinued && !_last[i].IsConclusive && _last[i].GoesOnAs(candidate))
+                    return true;
+            }
+
+            return false;
+        }
+
         /// <summary>
         /// Inside a resting dot's light and much smaller than it: where noise lets the middle of the dot rise in the other plane, that
         /// is not another light. The share of its area.

@@ -92,8 +92,8 @@ namespace LaserTracking.Detection
         /// <summary>Frames that a dot which is not conclusive may stay on at any frame rate, 1…60.</summary>
         public int MaxWaitFrames { get; set; } = 5;
 
-        /// <summary>For how long it may stay on before it is taken for scenery, where that is more frames, µs, 0…1 s.</summary>
-        public long MaxWaitUs { get; set; } = 170_000;
+        /// <summary>For how long it may stay on before it is taken for scenery, where that is more frames, µs, 0…1 s: the longest flash, 300 ms, and an exposure.</summary>
+        public long MaxWaitUs { get; set; } = 335_000;
 
         /// <summary>Candidates that one frame may have examined in each of the two planes, 1…4096: bounds the time.</summary>
         public int MaxCandidates { get; set; } = 64;

@@ -33,8 +33,8 @@ namespace LaserTracking.Tracking
         /// <summary>Frames that a dot which is not conclusive may wait for its proof at any frame rate, 1…60.</summary>
         public int MaxWaitFrames { get; set; } = 5;
 
-        /// <summary>For how long it may wait where that is more frames, µs, 0…1 s.</summary>
-        public long MaxWaitUs { get; set; } = 170_000;
+        /// <summary>For how long it may wait where that is more frames, µs, 0…1 s; as the detector's.</summary>
+        public long MaxWaitUs { get; set; } = 335_000;
 
         /// <summary>
         /// A rejected candidate within this of a waiting dot, in the frame where it should have vanished, says that it did not vanish

@@ -77,7 +77,7 @@ namespace LaserTracking.Tracking
         {
             Frame(0);
             int shots = 0, rejected = 0;
-            for (int i = 1; i < 12; i++)
+            for (int i = 1; i < 15; i++)
             {
                 Frame(i, Dot(100, 100, false, i == 1));
                 shots += _tracker.Shots.Length;
@@ -152,11 +152,11 @@ namespace LaserTracking.Tracking
         }
 
         [TestCase(7, 5, true)]
-        [TestCase(30, 5, true)]
-        [TestCase(30, 6, false)]
-        [TestCase(60, 10, true)]
-        [TestCase(60, 11, false)]
-        [TestCase(120, 20, true)]
+        [TestCase(30, 10, true)]
+        [TestCase(30, 11, false)]
+        [TestCase(60, 20, true)]
+        [TestCase(60, 21, false)]
+        [TestCase(120, 40, true)]
         public void Process_InconclusiveDotOfSomeFrames_IsAShotUpToTheSameDurationAtEveryRate(int framesPerSecond, int frames, bool isShot)
         {
             _intervalUs = 1_000_000 / framesPerSecond;
