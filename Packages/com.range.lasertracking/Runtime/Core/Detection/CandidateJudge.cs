@@ -88,7 +88,7 @@ namespace LaserTracking.Detection
                 return;
             _blobs.Grow(view, ref candidate);
             if (Fails(ref candidate, candidate.Area > _settings.MaxAreaPx * area, RejectionReason.TooLarge, candidate.Area / area, _settings.MaxAreaPx)
-                || Fails(ref candidate, candidate.Area < _settings.MinAreaPx * area, RejectionReason.TooSmall, candidate.Area / area, _settings.MinAreaPx))
+                || Fails(ref candidate, candidate.Area < _settings.MinAreaPx, RejectionReason.TooSmall, candidate.Area, _settings.MinAreaPx))
                 return;
             if (Fails(ref candidate, candidate.Compactness < _settings.MinCompactness, RejectionReason.NotCompact, candidate.Compactness, _settings.MinCompactness))
                 return;

@@ -48,8 +48,8 @@ namespace LaserTracking.Detection
         /// <summary>Further evidence needed where the projected picture's brightest is known and the candidate is no brighter, log-odds 0…20.</summary>
         public double ContentLogOdds { get; set; } = 1.4;
 
-        /// <summary>Least area at half height, px² at 640, 0…10000.</summary>
-        public double MinAreaPx { get; set; } = 4;
+        /// <summary>Least area at half height, working px (half the picture's above <see cref="FullSizeMaxWidthPx"/>), 0…10000: one pixel alone is noise.</summary>
+        public double MinAreaPx { get; set; } = 2;
 
         /// <summary>Largest area at half height, px² at 640, 1…100000.</summary>
         public double MaxAreaPx { get; set; } = 600;

@@ -1,4 +1,5 @@
 using System;
+using LaserTracking.Geometry;
 using LaserTracking.Imaging;
 using LaserTracking.Tracking;
 using NUnit.Framework;
@@ -62,6 +63,27 @@ namespace LaserTracking.Detection
             run.Play(10, 6, (b, i) => b.Wall(20, 22, 20));
             Assert.That(run.Shots.Count, Is.EqualTo(1));
             Assert.That(run.Shots[0].Dot.Color, Is.EqualTo(LaserColor.Green));
+        }
+
+        [TestCase(640, 360)]
+        [TestCase(1920, 1080)]
+        public void Process_DotOfAFewPixels_IsFoundWhateverThePicturesSize(int width, int height)
+        {
+            var run = new DetectionRun(null, width, height);
+            run.Play(0, 8, (b, i) => b.Wall(20, 22, 20));
+            run.Play(8, 1, (b, i) => b.Wall(20, 22, 20).GreenDot(200.4, 120.2, 0.8, 0.1));
+            run.Play(9, 6, (b, i) => b.Wall(20, 22, 20));
+            Assert.That(run.Shots.Count, Is.EqualTo(1));
+            Assert.That((run.Shots[0].Dot.PositionPx - new Vector2D(200.4, 120.2)).Length, Is.LessThan(0.3));
+        }
+
+        [Test]
+        public void Process_PixelThatFlickers_IsNoShot()
+        {
+            var run = new DetectionRun(null, 640, 360);
+            run.Play(0, 60, (b, i) => b.Wall(20, 22, 20).Box(200, 120, i % 20 == 15 ? 1 : 0, 1, 40, 250, 30));
+            Assert.That(run.Shots, Is.Empty);
+            Assert.That(run.Rejected.Exists(r => r.Reason == RejectionReason.TooSmall), Is.True);
         }
 
         [TestCase(0.0, 0)]

@@ -16,9 +16,6 @@ namespace LaserTracking.Detection
         /// <summary>Below so many times the least excess, light that is drawn out is left over along an edge.</summary>
         private const double FaintExcess = 2.5;
 
-        /// <summary>Strength from which two pixels suffice: a short flash of a small dot, seen by a small picture.</summary>
-        private const double SmallStrength = 110;
-
         /// <summary>Share of the room above the expected view, of 255, from which a spot fills it.</summary>
         private const int FullRise = 150;
 
@@ -65,9 +62,8 @@ namespace LaserTracking.Detection
 
             // Over bright content little of a saturated dot is left, and that little is ragged; but it takes all the room there is.
             double minCompactness = candidate.PeakRelativeRise >= FullRise ? MinFullCompactness : MinCompactness;
-            double minArea = candidate.Strength >= SmallStrength ? Math.Min(2, _settings.MinAreaPx * area) : _settings.MinAreaPx * area;
             if (Fails(ref candidate, candidate.Area > _settings.MaxAreaPx * area, RejectionReason.TooLarge, candidate.Area / area, _settings.MaxAreaPx)
-                || Fails(ref candidate, candidate.Area < minArea, RejectionReason.TooSmall, candidate.Area / area, minArea / area)
+                || Fails(ref candidate, candidate.Area < _settings.MinAreaPx, RejectionReason.TooSmall, candidate.Area, _settings.MinAreaPx)
                 || Fails(ref candidate, candidate.Compactness < minCompactness, RejectionReason.NotCompact, candidate.Compactness, minCompactness))
                 return;
             double elongation = candidate.LongSigma / candidate.ShortSigma;
