@@ -40,8 +40,9 @@ namespace LaserTracking.Host.Studies.Multiuser
         public string Clocks()
         {
             double[] errors = _clocks.Where(c => c.SaidMs != null).Select(c => Math.Abs(c.SaidMs!.Value - c.OffsetMs)).ToArray();
-            return errors.Length == 0 && _clocks.TrueForAll(c => Math.Abs(c.OffsetMs) < WorthSayingMs) ? ""
-                : FormattableString.Invariant($"said in {errors.Length} of {_clocks.Count} sessions, off by {Quantile(errors, 0.5):F1} ms (median), {Quantile(errors, 1):F1} (most)");
+            if (errors.Length == 0)
+                return _clocks.TrueForAll(c => Math.Abs(c.OffsetMs) < WorthSayingMs) ? "" : FormattableString.Invariant($"said in none of {_clocks.Count} sessions");
+            return FormattableString.Invariant($"said in {errors.Length} of {_clocks.Count} sessions, off by {Quantile(errors, 0.5):F1} ms (median), {Quantile(errors, 1):F1} (most)");
         }
 
         public void Write(string name, StudyTable table)
