@@ -1,59 +1,68 @@
 using System;
 using LaserTracking.Geometry;
-using LaserTracking.Hands;
 
 namespace LaserTracking.Fusion
 {
     /// <summary>
-    /// How far camera 1's clock is off camera 0's: of all offsets the one at which the lines of sight of those who fired met their
-    /// dots best. Only dots that move are asked: a hand that holds still before its shot and swings on after it would seem late. Older
-    /// shots count less and less, so that a drift is followed. Bounded, without allocation, deterministic.
+    /// How far camera 1's clock is off camera 0's: of all offsets those at which the lines of sight of those who may have fired met their dots
+    /// (<see cref="SwingShot"/>), over the last shots together. Only dots that move are asked: a hand holds still before its shot and swings on after it,
+    /// so the others favour the middle of that. Bounded, without allocation once built, deterministic.
     /// </summary>
     internal sealed class HandClock
     {
         private struct Waiting
         {
-            public int PersonId;
-            public int TrackId;
             public long TimeUs;
+            public long TimeSigmaUs;
             public Vector3D DotM;
         }
 
+        /// <summary>Offsets are looked for that far around <see cref="_centreUs"/>. What lies at the very end may lie beyond it.</summary>
         private const long ReachUs = 200_000;
+        private const long EdgeUs = 15_000;
         private const long StepUs = 10_000;
         private const int Steps = (int)(2 * ReachUs / StepUs) + 1;
 
         /// <summary>Shots wait until camera 1 has been seen that long after them.</summary>
         private const long RipeUs = ReachUs + 40_000;
         private const int MaxWaiting = 16;
-        private const int MaxSightings = 48;
 
-        /// <summary>Sightings farther apart are not interpolated between.</summary>
-        private const long GapUs = 120_000;
+        /// <summary>
+        /// Shots that count: with four shooters those of a minute and a half, with one of six, in which a hundred parts in a million make 9 and 36 ms.
+        /// </summary>
+        private const int MaxShots = 24;
 
-        /// <summary>Error of a line of sight, radians, and beyond how many of it a sighting says no more.</summary>
-        private const double SightRad = 0.012;
-        private const double MaxErrors = 4;
+        /// <summary>
+        /// Nothing is said before it is known that well. Whatever is likely beside the best counts in it: another offset 100 ms away that has a hundredth
+        /// of the probability already makes 10 ms.
+        /// </summary>
+        private const double MaxSigmaUs = 10_000;
 
-        /// <summary>Share of what older shots said that is left after another one: a hundred parts in a million make 6 ms in the minute that forty take.</summary>
-        private const double Keep = 0.985;
+        /// <summary>Smaller than this, or than so many of its standard deviations, an error is left alone: hands hold still longer.</summary>
+        private const double MinOffsetUs = 8_000;
+        private const double MinSigmas = 3;
 
-        /// <summary>Logarithm of how much likelier the best offset must be than those half this far on either side.</summary>
-        private const double NeededEvidence = 8;
-        private const int EvidenceSteps = 5;
-
-        /// <summary>Smaller than this an offset is left alone: hands hold still longer.</summary>
-        private const long MinOffsetUs = 8_000;
+        /// <summary>Better it is never known: what a line of sight errs is common to all its shots.</summary>
+        private const double LeastSigmaUs = 4_000;
 
         private readonly Waiting[] _waiting = new Waiting[MaxWaiting];
+        private readonly SwingShot[] _shots = new SwingShot[MaxShots];
+        private readonly double[] _fits = new double[MaxShots * Steps];
         private readonly double[] _fit = new double[Steps];
-        private readonly HandObservation[] _hands = new HandObservation[MaxSightings];
-        private readonly long[] _timesUs = new long[MaxSightings];
-        private readonly Vector3D[] _errors = new Vector3D[MaxSightings];
         private readonly HandCamera _camera;
+        private int _waitingCount;
         private int _count;
+        private int _next;
+        private int _again;
+        private int _due;
+        private long _centreUs;
 
-        public HandClock(HandCamera camera) => _camera = camera;
+        public HandClock(HandCamera camera)
+        {
+            _camera = camera;
+            for (int i = 0; i < MaxShots; i++)
+                _shots[i] = new SwingShot();
+        }
 
         /// <summary>Camera 1's clock minus camera 0's as known so far, microseconds; positive: its pictures are stamped late.</summary>
         public long OffsetUs { get; private set; }
@@ -63,87 +72,87 @@ namespace LaserTracking.Fusion
 
         public void Clear()
         {
-            _count = 0;
-            OffsetUs = SigmaUs = 0;
-            Array.Clear(_fit, 0, Steps);
+            _waitingCount = _count = _next = _again = _due = 0;
+            OffsetUs = SigmaUs = _centreUs = 0;
         }
 
-        /// <summary>Notes a shot that most likely is this person's with this hand.</summary>
-        public void Note(int personId, int trackId, long timeUs, Vector3D dotM)
+        /// <summary>Notes a shot whose dot moves.</summary>
+        public void Note(long timeUs, long timeSigmaUs, Vector3D dotM)
         {
-            if (_count < MaxWaiting)
-                _waiting[_count++] = new Waiting { PersonId = personId, TrackId = trackId, TimeUs = timeUs, DotM = dotM };
+            if (_waitingCount < MaxWaiting)
+                _waiting[_waitingCount++] = new Waiting { TimeUs = timeUs, TimeSigmaUs = timeSigmaUs, DotM = dotM };
         }
 
-        /// <summary>Weighs what has waited long enough; at most one shot a call.</summary>
+        /// <summary>Another shot has shown somebody's line of sight: one of those that are kept is due to be weighed again.</summary>
+        public void NoteLine() => _due = Math.Min(_due + 1, MaxShots);
+
+        /// <summary>Weighs one shot at most.</summary>
         /// <param name="nowUs">Time of camera 1's last picture, corrected.</param>
-        /// <param name="history">Corrected times.</param>
+        /// <param name="history">Corrected times; moved when the clock is known better.</param>
         /// <param name="sights">Where everybody aims over.</param>
         public void Update(long nowUs, HandHistory history, SightLines sights)
         {
-            if (_count == 0 || nowUs - _waiting[0].TimeUs < RipeUs)
-                return;
-            Waiting shot = _waiting[0];
-            Array.Copy(_waiting, 1, _waiting, 0, --_count);
-            int seen = history.CopyTrack(shot.TrackId, shot.TimeUs - RipeUs, shot.TimeUs + RipeUs, _hands, _timesUs);
-            for (int i = 0; i < seen; i++)
+            if (_waitingCount > 0 && nowUs - _waiting[0].TimeUs >= RipeUs)
             {
-                Vector3D muzzle = _camera.ToScreenM(_hands[i].MuzzleMm);
-                if (!sights.TrySight(shot.PersonId, muzzle, 0, out Vector3D sight, out _))
-                    return;
-                _errors[i] = (shot.DotM - muzzle).Normalized - sight.Normalized;
+                Waiting shot = _waiting[0];
+                Array.Copy(_waiting, 1, _waiting, 0, --_waitingCount);
+                _shots[_next].Take(shot.TimeUs, shot.TimeSigmaUs, shot.DotM, RipeUs, history, OffsetUs, _camera);
+                Weigh(_next, sights);
+                _next = (_next + 1) % MaxShots;
+                _count = Math.Min(_count + 1, MaxShots);
+            }
+            else if (_due > 0 && _count > 0)
+            {
+                _due--;
+                _again = (_again + 1) % _count;
+                Weigh(_again, sights);
+            }
+            else
+            {
+                return;
             }
 
-            if (seen < 3)
-                return;
-            Weigh(shot.TimeUs, seen);
-            Decide();
+            if (TryEstimate(out double offsetUs, out double sigmaUs))
+                Correct((long)Math.Round(offsetUs), (long)Math.Round(sigmaUs), history, sights);
         }
 
-        private void Weigh(long shotUs, int seen)
+        private void Weigh(int shot, SightLines sights) =>
+            _shots[shot].Weigh(sights, _centreUs - ReachUs, StepUs, new Span<double>(_fits, shot * Steps, Steps));
+
+        /// <summary>Mean and standard deviation of the offset, all offsets within reach being equally likely beforehand; false where that says nothing new.</summary>
+        private bool TryEstimate(out double offsetUs, out double sigmaUs)
         {
-            int at = 0;
+            Array.Clear(_fit, 0, Steps);
+            for (int i = 0; i < _count * Steps; i++)
+                _fit[i % Steps] += _fits[i];
+            double best = _fit[0];
+            for (int step = 1; step < Steps; step++)
+                best = Math.Max(best, _fit[step]);
+            double sum = 0, first = 0, second = 0;
             for (int step = 0; step < Steps; step++)
             {
-                long time = shotUs - ReachUs + step * StepUs;
-                while (at + 2 < seen && _timesUs[at + 1] < time)
-                    at++;
-                long gap = _timesUs[at + 1] - _timesUs[at];
-                double cost = MaxErrors * MaxErrors;
-                if (gap > 0 && gap <= GapUs && time >= _timesUs[at] && time <= _timesUs[at + 1])
-                {
-                    double part = (time - _timesUs[at]) / (double)gap;
-                    Vector3D error = _errors[at] + (_errors[at + 1] - _errors[at]) * part;
-                    cost = Math.Min(cost, error.LengthSquared / (SightRad * SightRad));
-                }
-
-                _fit[step] = _fit[step] * Keep - 0.5 * cost;
+                double probability = Math.Exp(_fit[step] - best), at = step * StepUs - ReachUs;
+                sum += probability;
+                first += probability * at;
+                second += probability * at * at;
             }
+
+            double mean = first / sum;
+            offsetUs = _centreUs + mean;
+            sigmaUs = Math.Max(LeastSigmaUs, Math.Sqrt(Math.Max(0, second / sum - mean * mean)));
+            return sigmaUs <= MaxSigmaUs && Math.Abs(mean) <= ReachUs - EdgeUs && Math.Abs(offsetUs - OffsetUs) >= Math.Max(MinOffsetUs, MinSigmas * sigmaUs);
         }
 
-        private void Decide()
+        private void Correct(long offsetUs, long sigmaUs, HandHistory history, SightLines sights)
         {
-            int best = 0;
-            for (int step = 1; step < Steps; step++)
-            {
-                if (_fit[step] > _fit[best])
-                    best = step;
-            }
-
-            if (best < EvidenceSteps || best >= Steps - EvidenceSteps
-                || _fit[best] - Math.Max(_fit[best - EvidenceSteps], _fit[best + EvidenceSteps]) < NeededEvidence)
+            history.Shift(OffsetUs - offsetUs);
+            OffsetUs = offsetUs;
+            SigmaUs = sigmaUs;
+            if (Math.Abs(offsetUs - _centreUs) < ReachUs / 4)
                 return;
-            // A parabola through the best and those beside it, wide enough that the steps' noise does not matter.
-            const int wide = 3;
-            double left = _fit[best - wide], right = _fit[best + wide], curve = 2 * _fit[best] - left - right;
-            double peak = best + wide * 0.5 * (right - left) / curve;
-            var residual = (long)Math.Round((peak - (Steps - 1) / 2.0) * StepUs);
-            SigmaUs = (long)Math.Round(wide * StepUs / Math.Sqrt(curve));
-            if (Math.Abs(residual) < Math.Max(MinOffsetUs, 2 * SigmaUs))
-                return;
-            OffsetUs += residual;
-            Array.Clear(_fit, 0, Steps);
-            _count = 0;
+            _centreUs = offsetUs;
+            for (int i = 0; i < _count; i++)
+                Weigh(i, sights);
         }
     }
 }

@@ -56,6 +56,13 @@ namespace LaserTracking.Fusion
 
         public void Clear() => _count = _start = 0;
 
+        /// <summary>Moves all sightings in time, microseconds: the clock that stamped them is known better.</summary>
+        public void Shift(long byUs)
+        {
+            for (int i = 0; i < _timesUs.Length; i++)
+                _timesUs[i] += byUs;
+        }
+
         /// <summary>
         /// Each hand seen within the window of the moment, in order of track id, at that moment: interpolated between the sightings
         /// around it where they are at most maxInterpolationUs apart, else the nearest one. When there are more hands than room,

@@ -104,7 +104,7 @@ namespace LaserTracking.Fusion
             for (int i = 0; i < count; i++)
             {
                 var probabilities = new ReadOnlySpan<double>(_probability, i * _settings.MaxHands, _hypotheses.Columns);
-                _hypotheses.NoteTime(i, shots[i], screenM[i], probabilities);
+                _hypotheses.NoteTime(shots[i], screenM[i]);
                 _hypotheses.Learn(i, shots[i], screenM[i], probabilities);
             }
         }

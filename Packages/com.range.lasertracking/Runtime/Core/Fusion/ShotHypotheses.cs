@@ -138,32 +138,24 @@ namespace LaserTracking.Fusion
                 if (_keys[k] < 0 || probabilities[k] < MinRemembered)
                     continue;
                 ref readonly FusedShot pair = ref _pairs[row * _settings.MaxHands + k];
-                bool isClear = pair.HasMuzzle && !IsMoving(shot) && Math.Abs(pair.PairDeltaUs) <= LearnUs && pair.MuzzleSigmaM < MaxLearnSigmaM;
-                _memory.Add(_keys[k], pair, probabilities[k], isClear ? _sightShares[row * _settings.MaxHands + k] : 0);
+                bool isSwing = IsMoving(shot), isClear = pair.HasMuzzle && Math.Abs(pair.PairDeltaUs) <= LearnUs && pair.MuzzleSigmaM < MaxLearnSigmaM;
+                _memory.Add(_keys[k], pair, probabilities[k], isClear ? _sightShares[row * _settings.MaxHands + k] : 0, isSwing);
                 if (probabilities[k] < _settings.LearnProbability)
                     continue;
                 _sights.CountColor(_keys[k], shot.Dot.Color, probabilities[k]);
-                if (isClear)
+                if (isClear && !isSwing)
                     _sights.NoteReach(_keys[k], pair.MuzzleM, probabilities[k]);
             }
 
             _memory.End();
         }
 
-        /// <summary>
-        /// Notes a shot whose dot moves for camera 1's clock, for the likeliest person: with a clock that is off nobody's line meets it well
-        /// enough to be named.
-        /// </summary>
-        public void NoteTime(int row, in Shot shot, Vector2D screenM, ReadOnlySpan<double> probabilities)
+        /// <summary>Notes a shot for camera 1's clock, whoever fired: with a clock that is off nobody's line meets it well enough to be named.</summary>
+        public void NoteTime(in Shot shot, Vector2D screenM)
         {
-            if (!IsMoving(shot))
-                return;
-            for (int k = 0; k < Columns; k++)
-            {
-                ref readonly FusedShot pair = ref _pairs[row * _settings.MaxHands + k];
-                if (probabilities[k] > 0.5 && _keys[k] > 0 && pair.HasMuzzle)
-                    Clock.Note(_keys[k], pair.HandTrackId, shot.TimeUs, new Vector3D(screenM.X, screenM.Y, 0));
-            }
+            Clock.NoteLine();
+            if (IsMoving(shot))
+                Clock.Note(shot.TimeUs, shot.TimeSigmaUs, new Vector3D(screenM.X, screenM.Y, 0));
         }
 
         /// <summary>Fired from a swing: tells the time, and of the line less than what the time is off.</summary>

@@ -16,6 +16,7 @@ namespace LaserTracking.Fusion
             public int TrackId;
             public Vector3D MuzzleM;
             public double MuzzleSigmaM;
+            public bool IsSwing;
             public Vector3D EyeM;
 
             /// <summary>Probability that is due to the line, through its density, and the rest of it.</summary>
@@ -57,6 +58,11 @@ namespace LaserTracking.Fusion
         /// <summary>Who moved that far has half forgotten how they stood.</summary>
         private const double MovedM = 0.2;
 
+        /// <summary>
+        /// From a swing, the muzzle is known worse by so much: at half a metre a second it is that far on after the 100 ms that camera 1's clock may be off.
+        /// </summary>
+        private const double SwingSigmaM = 0.05;
+
         private readonly HandCamera _camera;
         private readonly FusionSettings _settings;
         private readonly SightLines _sights;
@@ -94,13 +100,14 @@ namespace LaserTracking.Fusion
         /// <param name="pair">With which hand.</param>
         /// <param name="probability">That it was them.</param>
         /// <param name="sightShare">Share of that which the line of sight's density stands for; 0: this line is not to be learned from.</param>
-        public void Add(int personId, in FusedShot pair, double probability, double sightShare)
+        /// <param name="isSwing">Fired from a swing: shows roughly where the line lies, and nothing of how closely they keep to it.</param>
+        public void Add(int personId, in FusedShot pair, double probability, double sightShare, bool isSwing)
         {
             int at = Place(_count - 1);
             ref Remembered shot = ref _shots[at];
             if (shot.Lines == LinesEach || !_sights.TryEyes(personId, out Vector3D eyes))
                 return;
-            var line = new Line { PersonId = personId, TrackId = pair.HandTrackId, MuzzleM = pair.MuzzleM, MuzzleSigmaM = pair.MuzzleSigmaM, EyeM = eyes, Rest = probability };
+            var line = new Line { PersonId = personId, TrackId = pair.HandTrackId, MuzzleM = pair.MuzzleM, MuzzleSigmaM = SigmaM(pair.MuzzleSigmaM, isSwing), IsSwing = isSwing, EyeM = eyes, Rest = probability };
             if (sightShare > 0 && TryDensity(line, shot.DotM, out double density, out _) && density > 0)
             {
                 line.Factor = probability * sightShare / density;
@@ -232,7 +239,7 @@ namespace LaserTracking.Fusion
                         continue;
                     SteadyMuzzle.TryFind(history, shot.TimeUs, ref _hands[k]);
                     line.MuzzleM = _camera.ToScreenM(_hands[k].Hand.MuzzleMm);
-                    line.MuzzleSigmaM = _hands[k].Hand.MuzzleSigmaMm * Axes.MetresPerMillimetre;
+                    line.MuzzleSigmaM = SigmaM(_hands[k].Hand.MuzzleSigmaMm * Axes.MetresPerMillimetre, line.IsSwing);
                 }
             }
         }
@@ -263,9 +270,13 @@ namespace LaserTracking.Fusion
                 double still = 1 / (1 + (eyes - line.EyeM).LengthSquared / (MovedM * MovedM));
                 line.Share *= line.Factor * cores[i] / weights[i] * still;
                 line.Evidence = _sights.Weigh(line.PersonId, line.MuzzleM, line.MuzzleSigmaM, shot.DotM - line.MuzzleM, line.Share);
+                if (line.IsSwing)
+                    line.Evidence.SpreadSum = line.Evidence.SpreadCount = 0;
                 _sights.Add(line.PersonId, line.Evidence, 1);
             }
         }
+
+        private static double SigmaM(double seenM, bool isSwing) => isSwing ? Math.Sqrt(seenM * seenM + SwingSigmaM * SwingSigmaM) : seenM;
 
         private bool TryDensity(in Line line, Vector3D dotM, out double density, out double core)
         {

@@ -12,6 +12,11 @@ namespace LaserTracking.Fusion
     {
         private const double ReachM = 0.75;
         private const double NoiseMm = 4;
+
+        /// <summary>As the tracker says at 30 frames a second.</summary>
+        private const long TimeSigmaUs = 13_608;
+        private const double FirstS = 1;
+        private const double EveryS = 1.37;
         private static readonly Vector3D Eyes = new Vector3D(1.4, 0.9, -2.9);
 
         private static readonly HandCamera Camera = new HandCamera(
@@ -65,6 +70,37 @@ namespace LaserTracking.Fusion
             Assert.That(_assignment.HandClockOffsetUs, Is.Zero);
         }
 
+        [TestCase(70_000)]
+        [TestCase(-70_000)]
+        public void Clock_FewShotsFromASwing_IsFoundWithinTenMilliseconds(int offsetUs)
+        {
+            Run(60, offsetUs, 0, 30, IsSwing, HoldsOrSwings);
+            Assert.That(_assignment.HandClockOffsetUs, Is.EqualTo(offsetUs).Within(10_000));
+        }
+
+        [Test]
+        public void Clock_RightWithFewShotsFromASwing_IsLeftAlone()
+        {
+            Run(120, 0, 0, 30, IsSwing, HoldsOrSwings);
+            Assert.That(_assignment.HandClockOffsetUs, Is.Zero);
+            Assert.That(_named, Is.GreaterThan(0.9 * _shots));
+        }
+
+        [Test]
+        public void Clock_OneShotFromASwing_TellsNothing()
+        {
+            Run(6, 70_000, 0, 30, IsSwing, HoldsOrSwings);
+            Assert.That(_assignment.HandClockOffsetUs, Is.Zero);
+        }
+
+        [TestCase(230_000)]
+        [TestCase(-230_000)]
+        public void Clock_OffByMoreThanIsLookedFor_IsNotSaid(int offsetUs)
+        {
+            Run(60, offsetUs, 0, 30, IsSwing, HoldsOrSwings);
+            Assert.That(_assignment.HandClockOffsetUs, Is.Zero);
+        }
+
         [TestCase(15)]
         [TestCase(12.5)]
         [TestCase(5)]
@@ -82,20 +118,23 @@ namespace LaserTracking.Fusion
             Assert.That(_assignment.HandClockOffsetUs, Is.Zero);
         }
 
-        private void Run(double seconds, double offsetUs, double driftPpm, double framesPerSecond, bool showsMotion)
+        private void Run(double seconds, double offsetUs, double driftPpm, double framesPerSecond, bool showsMotion) =>
+            Run(seconds, offsetUs, driftPpm, framesPerSecond, _ => showsMotion, AimedAt);
+
+        private void Run(double seconds, double offsetUs, double driftPpm, double framesPerSecond, Func<int, bool> showsMotion, Func<double, Vector3D> aimedAt)
         {
             var hands = new HandObservations();
             var random = new Random(7);
             double frame = 0;
             long Stamp(double time) => (long)(time * 1e6 + offsetUs + time * driftPpm);
-            for (double shot = 1; shot < seconds; shot += 1.37)
+            for (double shot = FirstS; shot < seconds; shot += EveryS)
             {
                 // What camera 1 has delivered by then, as the stamps say with what is known of its clock.
                 while (Stamp(frame) - _assignment.HandClockOffsetUs <= shot * 1e6)
                 {
                     hands.Begin(0, Stamp(frame));
                     hands.Add(new PersonObservation { PersonId = 1, EyeMm = Camera.ToCameraMm(Eyes - Sights), SigmaMm = 60 });
-                    Vector3D aim = (AimedAt(frame) - Eyes).Normalized;
+                    Vector3D aim = (aimedAt(frame) - Eyes).Normalized;
                     var noise = new Vector3D(Noise(random), Noise(random), Noise(random));
                     Vector3D muzzle = Camera.ToCameraMm(Eyes + aim * ReachM) + noise;
                     hands.Add(new HandObservation { TrackId = 1, PersonId = 1, MuzzleMm = muzzle, PalmMm = muzzle, SigmaMm = 12, MuzzleSigmaMm = 7 });
@@ -103,8 +142,8 @@ namespace LaserTracking.Fusion
                     frame += 1 / framesPerSecond;
                 }
 
-                var fired = new Shot { TimeUs = (long)(shot * 1e6), Dot = new Dot { Color = LaserColor.Green, StreakPx = new Vector2D(showsMotion ? 4 : 0, 0) } };
-                Vector3D dot = AimedAt(shot);
+                var fired = new Shot { TimeUs = (long)(shot * 1e6), TimeSigmaUs = TimeSigmaUs, Dot = new Dot { Color = LaserColor.Green, StreakPx = new Vector2D(showsMotion(_shots) ? 4 : 0, 0) } };
+                Vector3D dot = aimedAt(shot);
                 _shots++;
                 _named += _assignment.Fuse(fired, new Vector2D(dot.X, dot.Y)).Shooter > 0 ? 1 : 0;
             }
@@ -112,6 +151,24 @@ namespace LaserTracking.Fusion
 
         /// <summary>Up to 1.9 m/s on the screen, and a slower way up and down.</summary>
         private static Vector3D AimedAt(double time) => new Vector3D(1.8 + 0.8 * Math.Sin(2 * Math.PI * 0.37 * time), 1.1 + 0.4 * Math.Sin(2 * Math.PI * 0.11 * time), 0);
+
+        /// <summary>Every fourth shot.</summary>
+        private static bool IsSwing(int shot) => shot % 4 == 3;
+
+        /// <summary>Holds still on a mark from 0.3 s before to 0.3 s after a shot, or goes by it at 1 m/s, to and fro; from mark to mark in between.</summary>
+        private static Vector3D HoldsOrSwings(double time)
+        {
+            const double held = 0.3;
+            int shot = Math.Max(0, (int)Math.Round((time - FirstS) / EveryS));
+            double since = time - FirstS - shot * EveryS;
+            int other = since > 0 ? shot + 1 : Math.Max(0, shot - 1);
+            double away = Math.Max(0, Math.Min(1, (Math.Abs(since) - held) / (EveryS - 2 * held)));
+            Vector3D from = Mark(shot, Math.Max(-held, Math.Min(held, since))), to = Mark(other, since > 0 ? -held : held);
+            return from + (to - from) * away;
+        }
+
+        private static Vector3D Mark(int shot, double since) =>
+            new Vector3D(1.8 + 1.2 * Math.Sin(2.1 * shot) + (IsSwing(shot) ? (shot % 8 == 3 ? since : -since) : 0), 1.1 + 0.6 * Math.Sin(1.3 * shot), 0);
 
         private static double Noise(Random random) => NoiseMm * (random.NextDouble() + random.NextDouble() + random.NextDouble() - 1.5) * 2;
     }

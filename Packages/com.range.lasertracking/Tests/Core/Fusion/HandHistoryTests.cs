@@ -44,6 +44,20 @@ namespace LaserTracking.Fusion
         }
 
         [Test]
+        public void Shift_ClockThatWasLate_GivesTheSightingsOfTheirTrueTime()
+        {
+            var history = new HandHistory();
+            Add(history, 170_000, 1, 10);
+            Add(history, 210_000, 1, 50);
+            history.Shift(-70_000);
+            Add(history, 180_000, 1, 90);
+            Assert.That(history.At(130_000, 1_000_000, 250_000, _pairs), Is.EqualTo(1));
+            Assert.That(_pairs[0].Hand.MuzzleMm.X, Is.EqualTo(40).Within(1e-9));
+            history.At(160_000, 1_000_000, 250_000, _pairs);
+            Assert.That(_pairs[0].Hand.MuzzleMm.X, Is.EqualTo(70).Within(1e-9), "between an old sighting and a new one");
+        }
+
+        [Test]
         public void At_OutsideTheWindow_GivesNone()
         {
             var history = new HandHistory();

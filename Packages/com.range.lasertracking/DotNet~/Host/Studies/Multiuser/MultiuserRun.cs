@@ -48,6 +48,11 @@ namespace LaserTracking.Host.Studies.Multiuser
 
         public TrackMetrics Tracks { get; private set; } = new();
 
+        /// <summary>By how much camera 1's clock was ahead at the end, ms, and what was said of that; null: nothing was.</summary>
+        public double ClockOffsetMs { get; private set; }
+
+        public double? ClockSaidMs { get; private set; }
+
         public void Process(CancellationToken interrupted)
         {
             var truth = new TrueDotDetector(_range);
@@ -58,6 +63,9 @@ namespace LaserTracking.Host.Studies.Multiuser
             using var runner = new SessionRunner(pipeline, screen, hands, 0);
             runner.Run(interrupted);
             pipeline.End(0);
+            double endUs = 1e6 * _range.Scenario.DurationS;
+            ClockOffsetMs = (_range.Truth.DepthClockUs(endUs) - _range.Truth.ColorClockUs(endUs)) / 1e3;
+            ClockSaidMs = pipeline.HandClockOffsetUs == 0 ? null : pipeline.HandClockOffsetUs / 1e3;
             CompareShots();
             ComparePalms();
             Tracks = TrackEvaluator.Evaluate(TrueTracks(), _dots, TrackMatch.Centre20, _range.Truth.ColorFrameCount);

@@ -42,6 +42,8 @@ namespace LaserTracking.Host.Studies.Multiuser
                 tallies[i].Write(cases[i].Name, table);
                 if (tallies[i].Reasons() is { Length: > 0 } reasons)
                     table.Notes.Add(FormattableString.Invariant($"not right, {cases[i].Name}: {reasons}"));
+                if (tallies[i].Clocks() is { Length: > 0 } clocks)
+                    table.Notes.Add(FormattableString.Invariant($"camera 1's clock, {cases[i].Name}: {clocks}"));
                 named.AddRange(tallies[i].Shots.Where(s => s.IsNamed).Select(s => (s.Said.ShooterProbability, s.IsRight)));
             }
 

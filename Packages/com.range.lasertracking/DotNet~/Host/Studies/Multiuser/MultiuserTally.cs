@@ -14,9 +14,13 @@ namespace LaserTracking.Host.Studies.Multiuser
             "case", "right", "wrong", "unknown", "switches", "side right", "MOTA %", "IDF1 %", "arm seen %", "muzzle mm", "p95", "palm mm", "p95 ", "palm found %", "direction °", "pair ms",
         };
 
+        /// <summary>Hands hold still longer than that.</summary>
+        private const double WorthSayingMs = 8;
+
         private readonly List<NamedShot> _shots = new();
         private readonly List<double> _palms = new();
         private readonly List<TrackMetrics> _tracks = new();
+        private readonly List<(double OffsetMs, double? SaidMs)> _clocks = new();
 
         public IReadOnlyList<NamedShot> Shots => _shots;
 
@@ -25,11 +29,21 @@ namespace LaserTracking.Host.Studies.Multiuser
             _shots.AddRange(run.Shots);
             _palms.AddRange(run.PalmErrorsMm);
             _tracks.Add(run.Tracks);
+            _clocks.Add((run.ClockOffsetMs, run.ClockSaidMs));
         }
 
         /// <summary>How many shots were unknown or wrong for which reason, most frequent first; empty where none was.</summary>
         public string Reasons() => string.Join("; ", _shots.Where(s => !s.IsRight).GroupBy(s => s.WhyNot).OrderByDescending(g => g.Count()).ThenBy(g => g.Key, StringComparer.Ordinal)
             .Select(g => FormattableString.Invariant($"{g.Key} {g.Count()} ({g.Count(s => s.IsNamed)} wrong)")));
+
+        /// <summary>In how many sessions an offset of camera 1's clock was said, and how far off; empty where there is none and none was said.</summary>
+        public string Clocks()
+        {
+            double[] errors = _clocks.Where(c => c.SaidMs != null).Select(c => Math.Abs(c.SaidMs!.Value - c.OffsetMs)).ToArray();
+            if (errors.Length == 0)
+                return _clocks.TrueForAll(c => Math.Abs(c.OffsetMs) < WorthSayingMs) ? "" : FormattableString.Invariant($"said in none of {_clocks.Count} sessions");
+            return FormattableString.Invariant($"said in {errors.Length} of {_clocks.Count} sessions, off by {Quantile(errors, 0.5):F1} ms (median), {Quantile(errors, 1):F1} (most)");
+        }
 
         public void Write(string name, StudyTable table)
         {
