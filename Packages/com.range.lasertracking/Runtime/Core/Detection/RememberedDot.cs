@@ -12,6 +12,9 @@ namespace LaserTracking.Detection
         /// <summary>Microseconds from which a light rests: most flashes are shorter.</summary>
         private const long RestUs = 90_000;
 
+        /// <summary>Working px: smaller areas are as good as this one, as a single bright speckle decides how much stands at half of its height.</summary>
+        private const double SpeckleArea = 8;
+
         /// <summary>Samples along each side of the place as it was before the light.</summary>
         public const int PlaceSide = 10;
 
@@ -170,15 +173,16 @@ namespace LaserTracking.Detection
         {
             if (!Covers(c.CenterX, c.CenterY) || (WasAboveContent && c.MayBeContent))
                 return false;
+            double area = Math.Max(SpeckleArea, c.Area), before = Math.Max(SpeckleArea, Area);
             if (!IsResting || !IsConclusive)
             {
                 // A light whose first frame saw only its beginning grows, and clipped it grows in area alone; what is left of one that has gone is none.
                 int growth = Frames == 1 && c.IsOnset ? 5 : 3;
-                return 3 * c.PeakRise >= HighestRise && 2 * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= growth * Area;
+                return 3 * c.PeakRise >= HighestRise && 2 * c.PeakRelativeRise >= PeakRelativeRise && 3 * area >= before && area <= growth * before;
             }
 
             int more = c.Plane == Plane ? 1 : 2;
-            return 2 * LengthOf(c) <= 3 * Length + 4 && 2 * more * c.PeakRelativeRise >= PeakRelativeRise && 3 * c.Area >= Area && c.Area <= 3 * more * Area;
+            return 2 * LengthOf(c) <= 3 * Length + 4 && 2 * more * c.PeakRelativeRise >= PeakRelativeRise && 3 * area >= before && area <= 3 * more * before;
         }
     }
 }

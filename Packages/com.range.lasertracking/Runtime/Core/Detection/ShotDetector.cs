@@ -389,7 +389,10 @@ namespace LaserTracking.Detection
             remembered.Plane = candidate.Plane;
             remembered.PositionPx = dot.PositionPx;
             remembered.MayBeContent = candidate.MayBeContent;
-            remembered.WasAboveContent = _judge.IsContentKnown && !candidate.MayBeContent;
+
+            // By a margin: speckle lifts a dot above the picture's brightest in one frame and not in the next.
+            remembered.WasAboveContent = _judge.IsContentKnown && !candidate.MayBeContent
+                && SurroundingsMeasurer.PeakLevel(view, candidate) >= _judge.ContentLevel + 2 * _settings.MinContentExcess;
             if (known.Frames == 0)
                 remembered.RememberPlace(view, candidate);
             else

@@ -77,6 +77,30 @@ namespace LaserTracking.Detection
             Assert.That((run.Shots[0].Dot.PositionPx - new Vector2D(200.4, 120.2)).Length, Is.LessThan(0.3));
         }
 
+        [TestCase(0.02)]
+        [TestCase(0.04)]
+        public void Process_DotWhoseFirstFrameIsFaint_IsWeighedAgainInTheChannelThatGrew(double first)
+        {
+            var run = new DetectionRun(null, 640, 360);
+            FrameBuilder Picture(FrameBuilder b) => b.Wall(60, 62, 60).Box(400, 60, 200, 240, 215, 215, 215);
+            run.Play(0, 8, (b, i) => Picture(b));
+            run.Play(8, 1, (b, i) => Picture(b).GreenDot(200.4, 120.2, 1, first));
+            run.Play(9, 20, (b, i) => Picture(b).GreenDot(200.4, 120.2, 1, 0.1));
+            Assert.That(run.Shots.Count, Is.EqualTo(1));
+        }
+
+        [TestCase(0.13, 1.2, 0.08, 1.2, TestName = "brighter than the picture in every second frame")]
+        [TestCase(0.12, 0.7, 0.08, 1.8, TestName = "three pixels and twenty in turn")]
+        public void Process_DotThatSpeckleChanges_IsOneShot(double strength, double sigma, double otherStrength, double otherSigma)
+        {
+            var run = new DetectionRun(null, 640, 360);
+            FrameBuilder Picture(FrameBuilder b) => b.Wall(60, 62, 60).Box(400, 60, 200, 240, 190, 190, 190);
+            run.Play(0, 8, (b, i) => Picture(b));
+            run.Play(8, 10, (b, i) => Picture(b).GreenDot(200.4, 120.2, i % 2 == 0 ? sigma : otherSigma, i % 2 == 0 ? strength : otherStrength));
+            run.Play(18, 20, (b, i) => Picture(b));
+            Assert.That(run.Shots.Count, Is.EqualTo(1));
+        }
+
         [Test]
         public void Process_PixelThatFlickers_IsNoShot()
         {

@@ -59,7 +59,7 @@ namespace LaserTracking.Host.Studies.Simulated
             return table;
         }
 
-        /// <summary>Each missed shot above the limit and each false one, as far as there is room.</summary>
+        /// <summary>Each false shot, each double and each missed one above the limit, as far as there is room.</summary>
         private static void NameThem(StudyTable table, StillCase still, int seed, SimulatedRun run, CancellationToken interrupted)
         {
             string Draw(TracedShot s)
@@ -72,7 +72,8 @@ namespace LaserTracking.Host.Studies.Simulated
 
             IEnumerable<string> lines = run.Shots.OrderByDescending(s => s.RiseOfAll).Where(s => !s.IsFound && s.Rise >= ContrastLimit.Rise).Select(s =>
                 FormattableString.Invariant($"missed: {still.Name}, seed {seed}, frames {s.Truth.FirstVisibleFrame}…{s.Truth.LastVisibleFrame} at {s.Truth.PlacesPx[0].X:F0},{s.Truth.PlacesPx[0].Y:F0}, rise {s.Rise:F2} ({s.RiseLevels:F0} levels), weakest channel {s.RiseOfAll:F2}, {s.PulseMs:F0} ms") + Draw(s));
-            foreach (string line in lines.Concat(run.False.Select(f => FormattableString.Invariant($"false: {still.Name}, seed {seed}, frame {f.Frame} at {f.PositionPx.X:F0},{f.PositionPx.Y:F0}"))))
+            string Name(string what, ReportedShot shot) => FormattableString.Invariant($"{what}: {still.Name}, seed {seed}, frame {shot.Frame} at {shot.PositionPx.X:F0},{shot.PositionPx.Y:F0}");
+            foreach (string line in run.False.Select(f => Name("false", f)).Concat(run.Doubles.Select(d => Name("double", d))).Concat(lines))
             {
                 if (table.Notes.Count < MaxNamed)
                     table.Notes.Add(line);
