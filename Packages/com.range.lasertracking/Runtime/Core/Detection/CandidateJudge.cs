@@ -65,6 +65,10 @@ namespace LaserTracking.Detection
         /// <summary>Levels above the projected picture's brightest at which one frame suffices.</summary>
         private double ConclusiveExcess => Math.Max(_settings.MinContentExcess, 0.6 * (255 - ContentLevel));
 
+        /// <summary>By a margin: speckle lifts a dot a little above the picture's brightest in one frame and not in the next.</summary>
+        public bool IsClearlyAboveContent(in FrameView view, in Candidate candidate) => IsContentKnown && !candidate.MayBeContent
+            && SurroundingsMeasurer.PeakLevel(view, candidate) >= ContentLevel + 2 * _settings.MinContentExcess;
+
         /// <param name="view">The frame.</param>
         /// <param name="candidate">Plane, seed and peaks given; everything else is filled.</param>
         /// <param name="memory">Dots of the last frame: what goes on from there need not prove itself again.</param>
@@ -139,7 +143,10 @@ namespace LaserTracking.Detection
             }
 
             candidate.IsConclusive = known.IsConclusive || isProvenByLevel || candidate.LogOdds >= conclusive;
-            Fails(ref candidate, !candidate.IsConclusive && WaitLimit.IsOver(known.Frames, TimeUs - known.FirstTimeUs, _settings.MaxWaitFrames, _settings.MaxWaitUs), RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
+
+            // What moves comes and goes: there a light has to be shorter to be one by its end.
+            long wait = candidate.ActivityAround > _settings.QuietActivity ? _settings.MaxWaitAmidMovementUs : _settings.MaxWaitUs;
+            Fails(ref candidate, !candidate.IsConclusive && WaitLimit.IsOver(known.Frames, TimeUs - known.FirstTimeUs, _settings.MaxWaitFrames, wait), RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
         }
 
         /// <summary>What a light that begins has to show.</summary>

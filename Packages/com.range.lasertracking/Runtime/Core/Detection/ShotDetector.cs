@@ -389,10 +389,7 @@ namespace LaserTracking.Detection
             remembered.Plane = candidate.Plane;
             remembered.PositionPx = dot.PositionPx;
             remembered.MayBeContent = candidate.MayBeContent;
-
-            // By a margin: speckle lifts a dot above the picture's brightest in one frame and not in the next.
-            remembered.WasAboveContent = _judge.IsContentKnown && !candidate.MayBeContent
-                && SurroundingsMeasurer.PeakLevel(view, candidate) >= _judge.ContentLevel + 2 * _settings.MinContentExcess;
+            remembered.WasAboveContent = _judge.IsClearlyAboveContent(view, candidate);
             if (known.Frames == 0)
                 remembered.RememberPlace(view, candidate);
             else

@@ -95,6 +95,9 @@ namespace LaserTracking.Detection
         /// <summary>For how long it may stay on before it is taken for scenery, where that is more frames, µs, 0…1 s: the longest flash, 300 ms, and an exposure.</summary>
         public long MaxWaitUs { get; set; } = 335_000;
 
+        /// <summary>The same where something moves around it, µs, 0…1 s.</summary>
+        public long MaxWaitAmidMovementUs { get; set; } = 170_000;
+
         /// <summary>Candidates that one frame may have examined in each of the two planes, 1…4096: bounds the time.</summary>
         public int MaxCandidates { get; set; } = 64;
 
@@ -132,6 +135,7 @@ namespace LaserTracking.Detection
             SettingCheck.InRange(nameof(MinColorHeadroom), MinColorHeadroom, 0, 255);
             SettingCheck.InRange(nameof(MaxWaitFrames), MaxWaitFrames, 1, 60);
             SettingCheck.InRange(nameof(MaxWaitUs), MaxWaitUs, 0, 1_000_000);
+            SettingCheck.InRange(nameof(MaxWaitAmidMovementUs), MaxWaitAmidMovementUs, 0, 1_000_000);
             SettingCheck.InRange(nameof(MaxCandidates), MaxCandidates, 1, 4096);
         }
 

@@ -101,6 +101,20 @@ namespace LaserTracking.Detection
             Assert.That(run.Shots.Count, Is.EqualTo(1));
         }
 
+        [TestCase(5, true, 1)]
+        [TestCase(8, false, 1)]
+        [TestCase(8, true, 0)]
+        public void Process_DoubtfulLight_IsAShotIfItGoesOutInTimeAndSoonerAmidMovement(int frames, bool isMoving, int shots)
+        {
+            var run = new DetectionRun(null, 640, 360);
+            FrameBuilder Picture(FrameBuilder b, int i) =>
+                b.Wall(60, 62, 60).Box(400, 60, 200, 240, 190, 190, 190).Box(isMoving ? 150 + 3 * (i % 12) : 150, 130, 30, 30, 100, 100, 100);
+            run.Play(0, 20, (b, i) => Picture(b, i));
+            run.Play(20, frames, (b, i) => Picture(b, i).GreenDot(200.4, 115.2, 1.5, 0.06));
+            run.Play(20 + frames, 20, (b, i) => Picture(b, i));
+            Assert.That(run.Shots.Count, Is.EqualTo(shots));
+        }
+
         [Test]
         public void Process_PixelThatFlickers_IsNoShot()
         {
