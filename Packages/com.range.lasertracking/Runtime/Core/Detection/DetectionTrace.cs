@@ -201,7 +201,7 @@ namespace LaserTracking.Detection
             switch (reason)
             {
                 case RejectionReason.OutsideScreen: return "outside screen, px";
-                case RejectionReason.TooSmall:
+                case RejectionReason.TooSmall: return "area, working px";
                 case RejectionReason.TooLarge: return "area, px² at 640";
                 case RejectionReason.NotCompact: return "compactness";
                 case RejectionReason.TooElongated: return "length / width";
