@@ -146,7 +146,9 @@ namespace LaserTracking.Detection
 
             // What moves comes and goes: there a light has to be shorter to be one by its end.
             long wait = candidate.ActivityAround > _settings.QuietActivity ? _settings.MaxWaitAmidMovementUs : _settings.MaxWaitUs;
-            Fails(ref candidate, !candidate.IsConclusive && WaitLimit.IsOver(known.Frames, TimeUs - known.FirstTimeUs, _settings.MaxWaitFrames, wait), RejectionReason.NotConfirmed, known.Frames, _settings.MaxWaitFrames);
+            long elapsed = TimeUs - known.FirstTimeUs;
+            Fails(ref candidate, !candidate.IsConclusive && WaitLimit.IsOver(known.Frames, elapsed, _settings.MaxWaitFrames, wait), RejectionReason.NotConfirmed, known.Frames,
+                WaitLimit.FramesAt(elapsed / (double)known.Frames, _settings.MaxWaitFrames, wait));
         }
 
         /// <summary>What a light that begins has to show.</summary>

@@ -54,30 +54,30 @@ namespace LaserTracking.Detection
         /// <summary>The dot of the last frame that shone here.</summary>
         public bool TryFind(in Candidate candidate, out RememberedDot dot)
         {
-            for (int i = 0; i < _lastCount; i++)
-            {
-                if (!_last[i].IsContinued && _last[i].GoesOnAs(candidate))
-                {
-                    dot = _last[i];
-                    _last[i].IsContinued = true;
-                    return true;
-                }
-            }
-
-            dot = default;
-            return false;
+            int found = Find(candidate);
+            dot = found < 0 ? default : _last[found];
+            if (found < 0)
+                return false;
+            _last[found].IsContinued = true;
+            return true;
         }
 
         /// <summary>Whether a dot of the last frame that is not decided yet goes on as this candidate.</summary>
         public bool IsWaiting(in Candidate candidate)
         {
+            int found = Find(candidate);
+            return found >= 0 && !_last[found].IsConclusive;
+        }
+
+        private int Find(in Candidate candidate)
+        {
             for (int i = 0; i < _lastCount; i++)
             {
-                if (!_last[i].IsContinued && !_last[i].IsConclusive && _last[i].GoesOnAs(candidate))
-                    return true;
+                if (!_last[i].IsContinued && _last[i].GoesOnAs(candidate))
+                    return i;
             }
 
-            return false;
+            return -1;
         }
 
         /// <summary>

@@ -62,6 +62,9 @@ namespace LaserTracking.Tracking
         /// <summary>Dots that turned out in the last call to be no shot of their own.</summary>
         public ReadOnlySpan<RejectedCandidate> Rejected => new ReadOnlySpan<RejectedCandidate>(_rejected, 0, _rejectedCount);
 
+        /// <summary>Frames of the present rate that a dot may wait for its proof.</summary>
+        private int WaitFrames => WaitLimit.FramesAt(_intervalUs, _settings.MaxWaitFrames, _settings.MaxWaitUs);
+
         /// <summary>When the light of the oldest dot began that may yet be reported as a shot, microseconds; long.MaxValue: none waits.</summary>
         public long EarliestPendingTimeUs
         {
@@ -121,7 +124,7 @@ namespace LaserTracking.Tracking
             for (int i = 0; i < _trackCount; i++)
             {
                 if (!_tracks[i].IsReported)
-                    Reject(_tracks[i].First.PositionPx, RejectionReason.NotConfirmed, _tracks[i].Count, _settings.MaxWaitFrames);
+                    Reject(_tracks[i].First.PositionPx, RejectionReason.NotConfirmed, _tracks[i].Count, WaitFrames);
             }
 
             _trackCount = 0;
@@ -287,7 +290,7 @@ namespace LaserTracking.Tracking
 
         private bool Drop(in DotTrack track, int frames)
         {
-            Reject(track.First.PositionPx, RejectionReason.NotConfirmed, frames, _settings.MaxWaitFrames);
+            Reject(track.First.PositionPx, RejectionReason.NotConfirmed, frames, WaitFrames);
             return true;
         }
 
