@@ -30,6 +30,7 @@ namespace LaserTracking.Hands
                 Assert.That(error, Is.LessThan(15), $"capture {truth["index"]}");
                 Assert.That(hand.DepthSource, Is.EqualTo(isLost ? DepthSource.Bridged : DepthSource.Measured), $"capture {truth["index"]}");
                 Assert.That(hand.TrackId, Is.EqualTo(1), "one hand, one track");
+                Assert.That(hand.SigmaMm, Is.LessThanOrEqualTo(20), $"capture {truth["index"]}: known well enough to be stated");
             });
             Assert.That(captures, Is.GreaterThan(0));
             Assert.That(lost, Is.EqualTo(2), "captures with lost depth");

@@ -23,7 +23,7 @@ namespace LaserTracking.Session
 
         private const string Rest =
             "{\"type\":\"dot\",\"frame\":412,\"time_us\":13800000,\"track\":3,\"x_px\":301.42,\"y_px\":288.1,\"sigma_px\":0.11,\"color\":\"red\",\"shooter\":1}\n" +
-            "{\"type\":\"hand\",\"frame\":412,\"time_us\":13800001,\"hand\":\"left\",\"palm_m\":[1,1.25,-2.5],\"muzzle_m\":null,\"depth_source\":\"bridged\",\"track\":2}\n" +
+            "{\"type\":\"hand\",\"frame\":412,\"time_us\":13800001,\"hand\":\"left\",\"palm_m\":[1,1.25,-2.5],\"palm_sigma_m\":null,\"muzzle_m\":null,\"depth_source\":\"bridged\",\"track\":2}\n" +
             "{\"type\":\"rejected\",\"frame\":413,\"time_us\":13800002,\"x_px\":12.5,\"y_px\":40,\"reason\":\"not_isolated\",\"value\":0.31,\"limit\":null}\n" +
             "{\"type\":\"health\",\"frame\":414,\"time_us\":13800003,\"kind\":\"frame_gap\",\"value\":2,\"text\":\"gap\"}\n";
 

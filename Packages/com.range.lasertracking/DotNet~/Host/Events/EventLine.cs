@@ -65,6 +65,13 @@ namespace LaserTracking.Host.Events
             throw Wrong(name, "is missing or no number");
         }
 
+        public double? OptionalDouble(string name)
+        {
+            if (!TryGet(Root, name, out JsonElement value))
+                return null;
+            return value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double number) && double.IsFinite(number) ? number : throw Wrong(name, "is no number");
+        }
+
         /// <summary>False for null or a missing field.</summary>
         public bool TryNumbers(JsonElement parent, string name, Span<double> numbers)
         {

@@ -159,6 +159,7 @@ namespace LaserTracking.Host.Events
                 TrackId = (int)(line.OptionalLong("track") ?? 0),
                 Side = Side(line),
                 PalmM = line.Vector3(line.Root, "palm_m"),
+                PalmSigmaM = line.OptionalDouble("palm_sigma_m") ?? 0,
                 MuzzleM = line.Vector3(line.Root, "muzzle_m"),
                 DepthSource = source,
             };

@@ -62,7 +62,7 @@ namespace LaserTracking.Host.Remote
             }
 
             Hands++;
-            _sink.OnHand(new HandEvent { FrameIndex = -1, TimeUs = pose.TimeUs, TrackId = pose.TrackId, Side = pose.Hand, PalmM = pose.Palm, MuzzleM = pose.Muzzle });
+            _sink.OnHand(new HandEvent { FrameIndex = -1, TimeUs = pose.TimeUs, TrackId = pose.TrackId, Side = pose.Hand, PalmM = pose.Palm, PalmSigmaM = pose.PalmSigmaM, MuzzleM = pose.Muzzle });
         }
     }
 }

@@ -10,6 +10,16 @@ namespace LaserTracking.Hands
         /// <summary>The middle of the hand's visible surface, moved in by half a palm's thickness: seen also where the weapon is not.</summary>
         public Vector3D SurfaceMm;
 
+        /// <summary>That surface is seen; not of a second weapon within an arm.</summary>
+        public bool HasSurface;
+
+        /// <summary>The palm as the muzzle tells it (<see cref="GripFinder"/>), and its standard deviation along one axis; 0: not known.</summary>
+        public Vector3D GripMm;
+        public double GripSigmaMm;
+
+        /// <summary>False where two arms hold one weapon, or too little is seen to tell.</summary>
+        public bool HasOneRoot;
+
         public Vector3D MuzzleMm;
         /// <summary>The muzzle is the end of what is seen before the hand, not inferred.</summary>
         public bool HasWeapon;

@@ -73,6 +73,8 @@ namespace LaserTracking.Hands
             Vector3D palm = hand + hand.Normalized * _settings.HandHalfThicknessMm;
             fit.PalmMm = fit.SurfaceMm = palm;
             fit.PalmSigmaMm = _settings.PalmSigmaMm;
+            fit.HasSurface = true;
+            fit.HasOneRoot = part.HasOneRoot;
             fit.Axis = isClear ? axis : default;
             fit.AxisSigmaRad = hasRear ? 1.5 * _settings.PalmSigmaMm / (hand - rear).Length : 0.3;
             if (!part.HasOneRoot)

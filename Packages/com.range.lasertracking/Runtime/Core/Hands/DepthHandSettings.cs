@@ -125,6 +125,12 @@ namespace LaserTracking.Hands
         /// <summary>Standard deviation of the sensor and of the hand's shape together, along one axis.</summary>
         public double PalmSigmaMm { get; set; } = 12;
 
+        /// <summary>The same of a palm that is hardly seen: hidden with its weapon, cut off, or of two arms. On the simulated range such palms were off by 40 to 100 mm.</summary>
+        public double HiddenPalmSigmaMm { get; set; } = 60;
+
+        /// <summary>Smallest visible surface of a hand that is seen whole; a fist shows 9500 to 16000.</summary>
+        public double MinPalmAreaMm2 { get; set; } = 9000;
+
         /// <summary>Standard deviation across the bore of a muzzle that is seen pixel by pixel; twice that of one of which only cells tell. Measured on the simulated range at 2.4 to 2.7 m: 2 to 4 mm.</summary>
         public double SeenMuzzleSigmaMm { get; set; } = 3.5;
 
@@ -157,7 +163,8 @@ namespace LaserTracking.Hands
             Check(SurfaceStepMm > 0 && HoleMm >= 0 && ForwardMm > 0 && MinReachMm >= 0 && EyeBelowCrownMm >= 0 && EyeSigmaMm > 0 && EyeHeightSigmaMm > 0 && SightSigmaRad > 0 && ForearmRadiusMm >= 0 && TorsoHalfWidthMm > 0, "lengths above zero");
             Check(MinArmAreaMm2 > 0 && MaxArmAreaMm2 > MinArmAreaMm2 && MaxHandAreaMm2 > MinArmAreaMm2, "areas above zero, limits in order");
             Check(HandLengthMm > 0 && ForearmLengthMm > 0 && HandHalfThicknessMm >= 0 && MinHandWidthMm >= 0, "sizes of the hand above zero");
-            Check(MaxWeaponSpreadMm >= 0 && MuzzleBeyondPalmMm >= 0 && GripToMuzzleMm >= 0 && WristSigmaRad > 0 && TwoArmsSigmaRad >= 0 && BoreAboveGripMm >= 0 && WeaponKeptMm >= 0 && WeaponKeptUs >= 0 && PalmSigmaMm > 0 && SeenMuzzleSigmaMm > 0 && MuzzleSigmaMm > 0 && CutSigmaMm > 0, "uncertainties above zero");
+            Check(MaxWeaponSpreadMm >= 0 && MuzzleBeyondPalmMm >= 0 && GripToMuzzleMm >= 0 && WristSigmaRad > 0 && TwoArmsSigmaRad >= 0 && BoreAboveGripMm >= 0 && WeaponKeptMm >= 0 && WeaponKeptUs >= 0 && PalmSigmaMm > 0 && HiddenPalmSigmaMm > 0 && SeenMuzzleSigmaMm > 0 && MuzzleSigmaMm > 0 && CutSigmaMm > 0, "uncertainties above zero");
+            Check(MinPalmAreaMm2 >= 0, "MinPalmAreaMm2 not negative");
             Check(TrackGateMm > 0 && TrackMemoryUs >= 0 && BridgeUs >= 0, "TrackGateMm above zero, times not negative");
             Check(LostShare > 0 && LostShare <= 1, "LostShare above 0, at most 1");
             Check(MaxHands >= 1 && MaxHands <= 64, "MaxHands 1…64");

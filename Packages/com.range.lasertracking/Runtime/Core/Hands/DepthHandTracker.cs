@@ -19,6 +19,7 @@ namespace LaserTracking.Hands
         private readonly DepthGrid _grid;
         private readonly BodySegmenter _segmenter;
         private readonly ArmFitter _fitter;
+        private readonly GripFinder _grips;
         private readonly HeadFinder _heads;
         private readonly PersonSet _people;
         private readonly HandTrackSet _tracks;
@@ -54,6 +55,7 @@ namespace LaserTracking.Hands
             _grid = new DepthGrid(camera, used, kernels);
             _segmenter = new BodySegmenter(used, kernels);
             _fitter = new ArmFitter(used, upright);
+            _grips = new GripFinder(used, upright);
             _heads = new HeadFinder(used, upright);
             _people = new PersonSet(used, upright);
             _tracks = new HandTrackSet(used);
@@ -85,6 +87,8 @@ namespace LaserTracking.Hands
                     _fits[count++] = second;
             }
 
+            for (int i = 0; i < count; i++)
+                _grips.Find(_people, ref _fits[i]);
             _tracks.Update(_grid, depth.TimeUs, new ReadOnlySpan<ArmFit>(_fits, 0, count), observations);
             _people.Report(observations);
         }

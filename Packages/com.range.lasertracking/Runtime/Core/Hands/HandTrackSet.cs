@@ -14,6 +14,12 @@ namespace LaserTracking.Hands
         private const int MaxVotes = 6;
         private const int NeededVotes = 2;
 
+        /// <summary>A hand without a weapon is known that much worse than its surface: what is seen of it takes in the wrist when it hangs.</summary>
+        private const double BareHand = 1.5;
+
+        /// <summary>Of a grip known worse the hand's surface tells as much.</summary>
+        private const double GripKnownMm = 20;
+
         private readonly DepthHandSettings _settings;
         private readonly HandTrack[] _tracks;
         private readonly bool[] _trackTaken;
@@ -129,7 +135,7 @@ namespace LaserTracking.Hands
 
             Remember(ref track, fit, timeUs);
             track.MeasuredUs = timeUs;
-            Report(track, fit.PalmSigmaMm, fit.MuzzleSigmaMm, DepthSource.Bridged, observations);
+            observations.Add(Observe(track, fit.PalmSigmaMm, fit.MuzzleSigmaMm, DepthSource.Bridged));
         }
 
         private void Measure(ref HandTrack track, in ArmFit fit, long timeUs, HandObservations observations)
@@ -154,7 +160,26 @@ namespace LaserTracking.Hands
                 muzzleSigma = Math.Sqrt(2 * _settings.PalmSigmaMm * _settings.PalmSigmaMm + 0.1 * moved * moved);
             }
 
-            Report(track, fit.PalmSigmaMm, muzzleSigma, DepthSource.Measured, observations, weapon);
+            HandObservation hand = Observe(track, PalmSigmaMm(track, fit, timeUs), muzzleSigma, DepthSource.Measured);
+            hand.WeaponDirection = weapon;
+            if (fit.GripSigmaMm > 0 && fit.GripSigmaMm <= GripKnownMm)
+                hand.PalmMm = fit.GripMm;
+            observations.Add(hand);
+        }
+
+        /// <summary>
+        /// With a weapon as the grip tells it; without one as of a hand that is seen whole. What is cut off, too small, of two arms, or held a weapon
+        /// a moment ago that now is hidden, is hardly all of the hand.
+        /// </summary>
+        private double PalmSigmaMm(in HandTrack track, in ArmFit fit, long timeUs)
+        {
+            if (fit.GripSigmaMm > 0)
+                return fit.GripSigmaMm;
+            if (fit.HasWeapon)
+                return fit.PalmSigmaMm;
+            bool isWhole = fit.HasOneRoot && fit.HandAreaMm2 >= _settings.MinPalmAreaMm2 && fit.MuzzleSigmaMm < _settings.CutSigmaMm;
+            bool isWeaponHidden = track.WeaponUs > 0 && timeUs - track.WeaponUs <= _settings.WeaponKeptUs;
+            return isWhole && !isWeaponHidden ? BareHand * fit.PalmSigmaMm : _settings.HiddenPalmSigmaMm;
         }
 
         private bool IsWeaponKnown(in HandTrack track, Vector3D surfaceMm, long timeUs, out double movedMm)
@@ -204,8 +229,7 @@ namespace LaserTracking.Hands
             if (fit.Axis.LengthSquared > 0)
                 track.Axis = fit.Axis;
             double sigma = _settings.PalmSigmaMm * 1.5;
-            Report(track, sigma, Math.Sqrt(sigma * sigma + _settings.MuzzleSigmaMm * _settings.MuzzleSigmaMm), DepthSource.Bridged,
-                observations);
+            observations.Add(Observe(track, sigma, Math.Sqrt(sigma * sigma + _settings.MuzzleSigmaMm * _settings.MuzzleSigmaMm), DepthSource.Bridged));
         }
 
         /// <summary>A hand that no arm of this frame explains goes on as expected while the sensor is blind there, for a short time.</summary>
@@ -219,28 +243,23 @@ namespace LaserTracking.Hands
             track.PalmMm = expected;
             track.TimeUs = timeUs;
             double sigma = _settings.PalmSigmaMm * (1 + blindUs / NominalFrameUs);
-            Report(track, sigma, Math.Sqrt(sigma * sigma + _settings.MuzzleSigmaMm * _settings.MuzzleSigmaMm), DepthSource.Bridged,
-                observations);
+            observations.Add(Observe(track, sigma, Math.Sqrt(sigma * sigma + _settings.MuzzleSigmaMm * _settings.MuzzleSigmaMm), DepthSource.Bridged));
         }
 
-        private void Report(in HandTrack track, double sigma, double muzzleSigma, DepthSource source, HandObservations observations, Vector3D weapon = default)
+        private HandObservation Observe(in HandTrack track, double sigma, double muzzleSigma, DepthSource source) => new HandObservation
         {
-            observations.Add(new HandObservation
-            {
-                TrackId = track.Id,
-                PersonId = track.PersonId,
-                Side = track.SideVotes >= NeededVotes ? HandSide.Right : track.SideVotes <= -NeededVotes ? HandSide.Left : HandSide.Unknown,
-                PalmMm = track.PalmMm,
-                MuzzleMm = track.PalmMm + track.MuzzleOffsetMm,
-                AimDirection = track.Axis,
-                SigmaMm = sigma,
-                MuzzleSigmaMm = muzzleSigma,
-                AimSigmaRad = track.AxisSigmaRad,
-                SightDirection = track.Sight,
-                SightSigmaRad = _settings.SightSigmaRad,
-                WeaponDirection = weapon,
-                DepthSource = source,
-            });
-        }
+            TrackId = track.Id,
+            PersonId = track.PersonId,
+            Side = track.SideVotes >= NeededVotes ? HandSide.Right : track.SideVotes <= -NeededVotes ? HandSide.Left : HandSide.Unknown,
+            PalmMm = track.PalmMm,
+            MuzzleMm = track.PalmMm + track.MuzzleOffsetMm,
+            AimDirection = track.Axis,
+            SigmaMm = sigma,
+            MuzzleSigmaMm = muzzleSigma,
+            AimSigmaRad = track.AxisSigmaRad,
+            SightDirection = track.Sight,
+            SightSigmaRad = _settings.SightSigmaRad,
+            DepthSource = source,
+        };
     }
 }

@@ -87,6 +87,8 @@ namespace LaserTracking.Hands
             _nextId = 1;
         }
 
+        public int Count => _count;
+
         /// <summary>Forgets who left.</summary>
         public void Begin(long timeUs)
         {
@@ -275,6 +277,16 @@ namespace LaserTracking.Hands
             }
 
             return id != 0 && id != nowId && now - best > ClearRad * ClearRad;
+        }
+
+        /// <summary>One of all who were seen: where about their eyes are, upright space, and the standard deviation of that; false for who is not known yet.</summary>
+        public bool TryEyes(int index, out int id, out Vector3D eyeMm, out double sigmaMm)
+        {
+            ref readonly Person person = ref _people[index];
+            id = person.Id;
+            eyeMm = person.EyeMm;
+            sigmaMm = person.IsHeadHidden ? HiddenSigmaMm : _settings.EyeSigmaMm;
+            return id != 0;
         }
 
         /// <summary>Whether a surface with this middle is somebody's head.</summary>

@@ -13,7 +13,7 @@ namespace LaserTracking.Remote
         {
             "v", "type", "stream", "counter", "sent_us", "time_us", "id", "frame", "first_frame", "last_frame", "time_sigma_us", "x_px", "y_px", "cov_px",
             "peak", "area_px", "color", "confidence", "streak_px", "screen_m", "screen_cov_mm2", "shooter", "shooter_p", "hand", "muzzle_m", "direction",
-            "pair_dt_us", "palm_m", "track", "timestamp", "muzzle", "target", "shot",
+            "pair_dt_us", "palm_m", "palm_sigma_m", "track", "timestamp", "muzzle", "target", "shot",
         };
 
         private readonly ReadOnlySpan<byte> _text;

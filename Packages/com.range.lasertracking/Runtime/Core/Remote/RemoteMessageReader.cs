@@ -122,6 +122,7 @@ namespace LaserTracking.Remote
             pose.TrackId = (int)fields.Integer("track", 0, int.MaxValue, 0);
             pose.Hand = Hand(ref fields);
             pose.Palm = fields.Vector3("palm_m", MostM);
+            pose.PalmSigmaM = fields.Number("palm_sigma_m", 0, MostM, 0);
             pose.Muzzle = fields.Vector3("muzzle_m", MostM);
             pose.Direction = Direction(ref fields);
             pose.Confidence = fields.Number("confidence", 0, 1, 1);

@@ -21,6 +21,9 @@ namespace LaserTracking.Remote
 
         public Vector3D Palm;
 
+        /// <summary>Standard deviation of the palm along one axis, metres; 0: it was not seen, or the sender does not say.</summary>
+        public double PalmSigmaM;
+
         public Vector3D Muzzle;
 
         /// <summary>The laser's dot.</summary>

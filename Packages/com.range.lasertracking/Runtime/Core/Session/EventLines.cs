@@ -121,6 +121,11 @@ namespace LaserTracking.Session
             Hand(json, e.Side);
             json.Name("palm_m");
             json.Vector(e.PalmM, MetreDecimals);
+            json.Name("palm_sigma_m");
+            if (e.PalmSigmaM > 0)
+                json.Number(e.PalmSigmaM, MetreDecimals);
+            else
+                json.Null();
             json.Name("muzzle_m");
             json.Vector(e.MuzzleM, MetreDecimals);
             Member(json, "depth_source", EventWords.Of(e.DepthSource));

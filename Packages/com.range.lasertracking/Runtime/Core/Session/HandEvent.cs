@@ -11,6 +11,10 @@ namespace LaserTracking.Session
         public int TrackId;
         public HandSide Side;
         public Vector3D PalmM;
+
+        /// <summary>Standard deviation of the palm along one axis; 0: the palm is not seen, or may be another's, and <see cref="PalmM"/> is a guess.</summary>
+        public double PalmSigmaM;
+
         public Vector3D MuzzleM;
         public DepthSource DepthSource;
     }

@@ -80,6 +80,7 @@ namespace LaserTracking.Session
             e.TrackId = 2;
             e.Side = HandSide.Left;
             e.PalmM = new Vector3D(1, 1.25, -2.5);
+            e.PalmSigmaM = 0.0123;
             e.MuzzleM = new Vector3D(1.1, 1.2, -2.3);
             e.DepthSource = DepthSource.Bridged;
             return e;

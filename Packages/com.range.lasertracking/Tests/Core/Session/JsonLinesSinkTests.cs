@@ -54,7 +54,7 @@ namespace LaserTracking.Session
                 "{\"type\":\"header\",\"v\":1,\"tool\":\"range\",\"version\":\"0.1.0\",\"inputs\":[{\"path\":\"range.mkv\",\"sha256\":\"ab12\"},{\"path\":\"hand.mkv\",\"sha256\":null}],\"calibration\":\"screen.json\",\"detector\":\"shots\",\"seed\":null}",
                 FullShot,
                 "{\"type\":\"dot\",\"frame\":412,\"time_us\":13800000,\"track\":3,\"x_px\":301.42,\"y_px\":288.1,\"sigma_px\":0.11,\"color\":\"green\",\"shooter\":1}",
-                "{\"type\":\"hand\",\"frame\":412,\"time_us\":13800001,\"hand\":\"left\",\"palm_m\":[1,1.25,-2.5],\"muzzle_m\":[1.1,1.2,-2.3],\"depth_source\":\"bridged\",\"track\":2}",
+                "{\"type\":\"hand\",\"frame\":412,\"time_us\":13800001,\"hand\":\"left\",\"palm_m\":[1,1.25,-2.5],\"palm_sigma_m\":0.0123,\"muzzle_m\":[1.1,1.2,-2.3],\"depth_source\":\"bridged\",\"track\":2}",
                 "{\"type\":\"rejected\",\"frame\":413,\"time_us\":13800002,\"x_px\":12.5,\"y_px\":40,\"reason\":\"not_isolated\",\"value\":0.31,\"limit\":0.2}",
                 "{\"type\":\"health\",\"frame\":414,\"time_us\":13800003,\"kind\":\"frame_gap\",\"value\":2,\"text\":\"two frames are missing: check the USB cable\"}",
                 "{\"type\":\"end\",\"frames\":450,\"dropped\":2,\"seconds_media\":15.0005,\"seconds_wall\":1.25,\"start_us\":33333}",

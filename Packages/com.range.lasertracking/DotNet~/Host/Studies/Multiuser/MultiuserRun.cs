@@ -21,9 +21,6 @@ namespace LaserTracking.Host.Studies.Multiuser
         private const int FrameTolerance = 2;
         private const double DotPx = 6;
 
-        /// <summary>A palm farther off is somebody else's.</summary>
-        private const double OwnHandMm = 300;
-
         /// <summary>Numbers of dots whose shooter is not known: apart from all shooters'.</summary>
         private const int NobodysTracks = 1000;
 
@@ -41,8 +38,8 @@ namespace LaserTracking.Host.Studies.Multiuser
 
         public List<NamedShot> Shots { get; } = new();
 
-        /// <summary>Per visible weapon hand and depth frame: distance of the palm found nearest to it, mm; infinite where there is none.</summary>
-        public List<double> PalmErrorsMm { get; } = new();
+        /// <summary>Per raised weapon hand in view and depth frame.</summary>
+        public List<SaidPalm> Palms { get; } = new();
 
         public List<HealthEvent> Health { get; } = new();
 
@@ -148,11 +145,12 @@ namespace LaserTracking.Host.Studies.Multiuser
             int[] firing = _range.Truth.Shots.Select(s => s.Shooter).Distinct().ToArray();
             for (int frame = 30; frame < _range.Truth.DepthFrameCount; frame += 3)
             {
+                SaidPalm[] said = SaidPalm.Match(_range, frame, byFrame[frame].ToArray());
                 foreach (int shooter in firing)
                 {
                     TrueHand hand = _range.Truth.HandAt(shooter, _range.Truth.DepthFrameTimeUs(frame));
                     if (IsInView(hand) && IsRaised(hand))
-                        PalmErrorsMm.Add(byFrame[frame].Select(h => (h.PalmM - hand.PalmM).Length * 1000).Where(error => error < OwnHandMm).Append(double.PositiveInfinity).Min());
+                        Palms.Add(said[shooter - 1]);
                 }
             }
         }

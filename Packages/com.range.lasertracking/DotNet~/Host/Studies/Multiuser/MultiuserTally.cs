@@ -11,23 +11,25 @@ namespace LaserTracking.Host.Studies.Multiuser
     {
         public static readonly string[] Columns =
         {
-            "case", "right", "wrong", "unknown", "switches", "side right", "MOTA %", "IDF1 %", "arm seen %", "muzzle mm", "p95", "palm mm", "p95 ", "palm found %", "direction °", "pair ms",
+            "case", "right", "wrong", "unknown", "switches", "side right", "MOTA %", "IDF1 %", "arm seen %", "muzzle mm", "p95", "palm mm", "p95 ", "stated %", "withheld %", "direction °", "pair ms",
         };
 
         /// <summary>Hands hold still longer than that.</summary>
         private const double WorthSayingMs = 8;
 
         private readonly List<NamedShot> _shots = new();
-        private readonly List<double> _palms = new();
+        private readonly List<SaidPalm> _palms = new();
         private readonly List<TrackMetrics> _tracks = new();
         private readonly List<(double OffsetMs, double? SaidMs)> _clocks = new();
 
         public IReadOnlyList<NamedShot> Shots => _shots;
 
+        public IReadOnlyList<SaidPalm> Palms => _palms;
+
         public void Add(MultiuserRun run)
         {
             _shots.AddRange(run.Shots);
-            _palms.AddRange(run.PalmErrorsMm);
+            _palms.AddRange(run.Palms);
             _tracks.Add(run.Tracks);
             _clocks.Add((run.ClockOffsetMs, run.ClockSaidMs));
         }
@@ -48,13 +50,14 @@ namespace LaserTracking.Host.Studies.Multiuser
         public void Write(string name, StudyTable table)
         {
             double[] muzzles = _shots.Where(s => s.HasRightMuzzle && s.IsArmSeen).Select(s => s.MuzzleErrorMm).ToArray();
-            double[] palms = _palms.Where(double.IsFinite).ToArray();
+            double[] palms = _palms.Where(p => p.IsStated).Select(p => p.ErrorMm).ToArray();
             NamedShot[] sided = _shots.Where(s => s.IsSideSaid).ToArray(), paired = _shots.Where(s => s.HasRightMuzzle).ToArray();
             table.Add(name, Share(s => s.IsRight), Share(s => s.IsNamed && !s.IsRight), Share(s => !s.IsNamed), _shots.Count(s => s.IsSwitch),
                 new Proportion(sided.Count(s => s.Said.Hand == s.Fired.Hand), sided.Length),
                 100 * _tracks.Average(t => t.Mota), 100 * _tracks.Average(t => t.IdentityF1),
                 100.0 * _shots.Count(s => s.IsArmSeen) / Math.Max(1, _shots.Count),
                 Quantile(muzzles, 0.5), Quantile(muzzles, 0.95), Quantile(palms, 0.5), Quantile(palms, 0.95), 100.0 * palms.Length / Math.Max(1, _palms.Count),
+                100.0 * _palms.Count(p => p.IsFound && !p.IsStated) / Math.Max(1, _palms.Count),
                 Quantile(paired.Select(s => s.DirectionErrorDeg).ToArray(), 0.5), Quantile(paired.Select(s => Math.Abs(s.Said.PairDeltaUs) / 1000.0).ToArray(), 0.5));
         }
 

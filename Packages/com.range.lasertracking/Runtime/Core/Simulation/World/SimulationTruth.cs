@@ -64,6 +64,9 @@ namespace LaserTracking.Simulation
         /// <summary>The weapon hand of a shooter (from 1) at a true time in µs.</summary>
         public TrueHand HandAt(int shooter, double trueUs) => _motions[shooter - 1].Hand(trueUs / 1e6);
 
+        /// <summary>The palm of a shooter's other hand, on the weapon or hanging; screen space, metres.</summary>
+        public Vector3D SupportPalmAt(int shooter, double trueUs) => _motions[shooter - 1].Body(trueUs / 1e6).SupportPalmM;
+
         internal static int PictureShown(ProjectorSettings projector, double trueUs) =>
             (int)Math.Floor((trueUs / 1e6 - projector.DelayMs / 1000) * projector.RefreshHz + 1e-9);
     }
