@@ -18,8 +18,16 @@ namespace LaserTracking.Fusion
         }
 
         /// <summary>Offsets are looked for that far around <see cref="_centreUs"/>. What lies at the very end may lie beyond it.</summary>
-        private const long ReachUs = 200_000;
+        private const long ReachUs = 700_000;
         private const long EdgeUs = 15_000;
+
+        /// <summary>Offsets beyond the first are that much less likely beforehand: no camera that is set up keeps its pictures so long.</summary>
+        private const long UsualUs = 200_000;
+        private const double FarShare = 0.05;
+
+        /// <summary>Beforehand the clock is that much likelier to be as known, to within the first, than at any other offset: most clocks are right.</summary>
+        private const long KnownUs = 100_000;
+        private const double KnownWeight = 200;
         private const long StepUs = 10_000;
         private const int Steps = (int)(2 * ReachUs / StepUs) + 1;
 
@@ -70,8 +78,12 @@ namespace LaserTracking.Fusion
         /// <summary>Standard deviation of that, microseconds; 0 while nothing has told.</summary>
         public long SigmaUs { get; private set; }
 
+        /// <summary>Probability that the clock is as known to within a tenth of a second; one that is farther off names the wrong ones.</summary>
+        public double KnownProbability { get; private set; } = 1;
+
         public void Clear()
         {
+            KnownProbability = 1;
             _waitingCount = _count = _next = _again = _due = 0;
             OffsetUs = SigmaUs = _centreUs = 0;
         }
@@ -119,35 +131,46 @@ namespace LaserTracking.Fusion
         private void Weigh(int shot, SightLines sights) =>
             _shots[shot].Weigh(sights, _centreUs - ReachUs, StepUs, new Span<double>(_fits, shot * Steps, Steps));
 
-        /// <summary>Mean and standard deviation of the offset, all offsets within reach being equally likely beforehand; false where that says nothing new.</summary>
+        /// <summary>Mean and standard deviation of the offset; false where that says nothing new.</summary>
         private bool TryEstimate(out double offsetUs, out double sigmaUs)
         {
             Array.Clear(_fit, 0, Steps);
             for (int i = 0; i < _count * Steps; i++)
                 _fit[i % Steps] += _fits[i];
-            double best = _fit[0];
-            for (int step = 1; step < Steps; step++)
+            double best = double.MinValue;
+            for (int step = 0; step < Steps; step++)
+            {
+                if (Math.Abs(OffsetAt(step)) > UsualUs)
+                    _fit[step] += Math.Log(FarShare);
                 best = Math.Max(best, _fit[step]);
-            double sum = 0, first = 0, second = 0;
+            }
+
+            double sum = 0, known = 0, first = 0, second = 0;
             for (int step = 0; step < Steps; step++)
             {
                 double probability = Math.Exp(_fit[step] - best), at = step * StepUs - ReachUs;
                 sum += probability;
                 first += probability * at;
                 second += probability * at * at;
+                if (Math.Abs(OffsetAt(step) - OffsetUs) <= KnownUs)
+                    known += probability;
             }
 
+            KnownProbability = KnownWeight * known / (KnownWeight * known + sum - known);
             double mean = first / sum;
             offsetUs = _centreUs + mean;
             sigmaUs = Math.Max(LeastSigmaUs, Math.Sqrt(Math.Max(0, second / sum - mean * mean)));
             return sigmaUs <= MaxSigmaUs && Math.Abs(mean) <= ReachUs - EdgeUs && Math.Abs(offsetUs - OffsetUs) >= Math.Max(MinOffsetUs, MinSigmas * sigmaUs);
         }
 
+        private long OffsetAt(int step) => _centreUs + step * StepUs - ReachUs;
+
         private void Correct(long offsetUs, long sigmaUs, HandHistory history, SightLines sights)
         {
             history.Shift(OffsetUs - offsetUs);
             OffsetUs = offsetUs;
             SigmaUs = sigmaUs;
+            KnownProbability = 1;
             if (Math.Abs(offsetUs - _centreUs) < ReachUs / 4)
                 return;
             _centreUs = offsetUs;

@@ -214,7 +214,7 @@ namespace LaserTracking.Fusion
                     rivals += part * (_hypotheses.Pairs[row + k].HasMuzzle && _hypotheses.Pairs[row + k].SightErrorRad < RivalRad ? _settings.RivalWeight : 1);
             }
 
-            double probability = mine / (mine + rivals + Math.Max(0, 1 - all));
+            double probability = _hypotheses.Clock.KnownProbability * mine / (mine + rivals + Math.Max(0, 1 - all));
             if (probability < _settings.MinProbability)
                 return default;
             bool hasEyes = _hypotheses.TryEyes(key, out Vector3D eyes);

@@ -21,10 +21,10 @@ namespace LaserTracking.Fusion
             public long AfterUs;
         }
 
-        private const int MaxSightings = 192;
+        private const int MaxSightings = 512;
 
-        /// <summary>Of one hand: half a second at 60 frames/s.</summary>
-        private const int SightingsEach = 32;
+        /// <summary>Of one hand: a second and a half at 60 frames/s.</summary>
+        private const int SightingsEach = 96;
         private const int MaxTracks = 16;
 
         /// <summary>Sightings farther apart are not interpolated between.</summary>
