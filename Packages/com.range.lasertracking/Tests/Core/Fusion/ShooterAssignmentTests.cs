@@ -184,6 +184,21 @@ namespace LaserTracking.Fusion
             Assert.That(fused.Shooter, Is.Zero);
         }
 
+        [TestCase(false, ExpectedResult = true)]
+        [TestCase(true, ExpectedResult = false)]
+        public bool Fuse_EyesHiddenDotBesideTheLine_IsTheirsUnlessTheWeaponIsSeenToPointElsewhere(bool isWeaponSeen)
+        {
+            var eyes = new Vector3D(1.6, 0.9, -3.2);
+            PersonObservation person = Person(1, eyes);
+            person.SigmaMm = 150;
+            HandObservation hand = Aimed(1, eyes, new Vector2D(1.2, 0.9));
+            hand.AimDirection = default;
+            if (isWeaponSeen)
+                hand.WeaponDirection = Camera.PoseInScreenMm.InverseTransformDirection(Camera.ToScreenM(hand.MuzzleMm) - eyes).Normalized;
+            SeePeople(0, new[] { person }, hand);
+            return _assignment.Fuse(Shot(0, LaserColor.Green), new Vector2D(2.35, 0.9)).Shooter > 0;
+        }
+
         [Test]
         public void Fuse_SteadyOffsetOfTheAim_IsLearned()
         {
