@@ -19,14 +19,13 @@ namespace LaserTracking.Fusion
 
         /// <summary>Offsets are looked for that far around <see cref="_centreUs"/>. What lies at the very end may lie beyond it.</summary>
         private const long ReachUs = 700_000;
-        private const long EdgeUs = 15_000;
+        private const long EdgeUs = 50_000;
 
         /// <summary>Offsets beyond the first are that much less likely beforehand: no camera that is set up keeps its pictures so long.</summary>
         private const long UsualUs = 200_000;
-        private const double FarShare = 0.05;
+        private const double FarShare = 0.001;
 
-        /// <summary>Beforehand the clock is that much likelier to be as known, to within the first, than at any other offset: most clocks are right.</summary>
-        private const long KnownUs = 100_000;
+        /// <summary>Beforehand the clock is that much likelier as known, to within <see cref="UsualUs"/>, than at any other offset: most clocks are right.</summary>
         private const double KnownWeight = 200;
         private const long StepUs = 10_000;
         private const int Steps = (int)(2 * ReachUs / StepUs) + 1;
@@ -78,7 +77,7 @@ namespace LaserTracking.Fusion
         /// <summary>Standard deviation of that, microseconds; 0 while nothing has told.</summary>
         public long SigmaUs { get; private set; }
 
-        /// <summary>Probability that the clock is as known to within a tenth of a second; one that is farther off names the wrong ones.</summary>
+        /// <summary>Probability that the clock is as known to within <see cref="UsualUs"/>: one that is farther off names the wrong ones.</summary>
         public double KnownProbability { get; private set; } = 1;
 
         public void Clear()
@@ -152,7 +151,7 @@ namespace LaserTracking.Fusion
                 sum += probability;
                 first += probability * at;
                 second += probability * at * at;
-                if (Math.Abs(OffsetAt(step) - OffsetUs) <= KnownUs)
+                if (Math.Abs(OffsetAt(step) - OffsetUs) <= UsualUs)
                     known += probability;
             }
 
