@@ -53,11 +53,11 @@ namespace LaserTracking.Hands
                 if (!people.TryEyes(i, out int id, out Vector3D eye, out double eyeSigma))
                     continue;
                 Vector3D line = muzzle - eye;
-                double reach = line.Length, off = (reach - ReachMm) / ReachSigmaMm;
+                double reach = line.Length;
                 if (reach < MinReachMm || reach > MaxReachMm)
                     continue;
                 Vector3D aim = line * (1 / reach);
-                double weight = (id == fit.PersonId ? 1 : NeighbourShare) * Math.Exp(-0.5 * off * off);
+                double weight = (id == fit.PersonId ? 1 : NeighbourShare) * Normal((reach - ReachMm) / ReachSigmaMm);
                 if (bearing.LengthSquared > 0)
                     weight *= Normal(Vector3D.Turn(bearing, aim) / BearingSigmaRad);
                 all.Add(Back(aim), weight * SurfaceFit(fit, aim, 0), _settings.GripToMuzzleMm * EyeShare * eyeSigma / reach);
