@@ -25,13 +25,13 @@ namespace LaserTracking.Host.Commands
         /// <summary>The longest first: beside it the others take their turns.</summary>
         private static readonly Suite[] Suites =
         {
+            new("files, commands, repository", "RangeTests", null),
             new("Core, net10.0, no vector instructions", "Range.LaserTracking.Core.Tests", "DOTNET_EnableHWIntrinsic", Short),
+            new("Core, netstandard2.1", "Range.LaserTracking.Core.Tests.NetStandard", null),
             new("Core, net10.0", "Range.LaserTracking.Core.Tests", null),
             new("Core, net10.0, no AVX2", "Range.LaserTracking.Core.Tests", "DOTNET_EnableAVX2", Short),
-            new("Core, netstandard2.1", "Range.LaserTracking.Core.Tests.NetStandard", null),
             new("Unity layer on the engine stand-in", "UnityTests", null),
             new("Burst jobs on the engine stand-in", "BurstTests", null),
-            new("files, commands, repository", "RangeTests", null),
         };
 
         public static Command Create()

@@ -9,10 +9,10 @@ namespace LaserTracking.Detection
     /// <summary>Runs drawn frames through a detector and the tracker and collects what comes out.</summary>
     internal sealed class DetectionRun
     {
-        public DetectionRun(IShotDetector? detector = null, int width = 320, int height = 240, int framesPerSecond = 30)
+        public DetectionRun(IShotDetector? detector = null, int width = 320, int height = 240, int framesPerSecond = 30, uint seed = 12345)
         {
             Detector = detector ?? new ShotDetector();
-            Builder = new FrameBuilder(width, height);
+            Builder = new FrameBuilder(width, height, seed);
             IntervalUs = 1_000_000 / framesPerSecond;
         }
 

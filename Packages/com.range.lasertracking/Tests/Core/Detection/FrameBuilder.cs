@@ -9,10 +9,14 @@ namespace LaserTracking.Detection
     {
         private static readonly float[] Normals = NormalTable();
         private readonly float[] _light;
-        private uint _random = 12345;
+        private uint _random;
 
-        public FrameBuilder(int width, int height)
+        /// <param name="width">Pixels.</param>
+        /// <param name="height">Pixels.</param>
+        /// <param name="seed">Of the noise, not 0.</param>
+        public FrameBuilder(int width, int height, uint seed = 12345)
         {
+            _random = seed;
             Width = width;
             Height = height;
             _light = new float[width * height * 3];
@@ -27,13 +31,16 @@ namespace LaserTracking.Detection
         /// <summary>Blue, green, red of the wall, which grows a little brighter to the right.</summary>
         public FrameBuilder Wall(float blue, float green, float red)
         {
-            for (int i = 0; i < Width * Height; i++)
+            for (int x = 0; x < Width; x++)
             {
-                float slope = 0.9f + 0.2f * (i % Width) / Width;
-                _light[3 * i] = blue * slope;
-                _light[3 * i + 1] = green * slope;
-                _light[3 * i + 2] = red * slope;
+                float slope = 0.9f + 0.2f * x / Width;
+                _light[3 * x] = blue * slope;
+                _light[3 * x + 1] = green * slope;
+                _light[3 * x + 2] = red * slope;
             }
+
+            for (int y = 1; y < Height; y++)
+                Array.Copy(_light, 0, _light, 3 * Width * y, 3 * Width);
 
             return this;
         }
@@ -79,9 +86,10 @@ namespace LaserTracking.Detection
 
         public FrameBuilder Dot(double x, double y, double sigma, double blue, double green, double red)
         {
-            for (int py = 0; py < Height; py++)
+            int reach = (int)Math.Ceiling(8 * sigma), x0 = (int)x, y0 = (int)y;
+            for (int py = Math.Max(0, y0 - reach); py < Math.Min(Height, y0 + reach + 2); py++)
             {
-                for (int px = 0; px < Width; px++)
+                for (int px = Math.Max(0, x0 - reach); px < Math.Min(Width, x0 + reach + 2); px++)
                 {
                     double r2 = (px - x) * (px - x) + (py - y) * (py - y);
                     if (r2 > 64 * sigma * sigma)
@@ -123,19 +131,20 @@ namespace LaserTracking.Detection
             int i = 3 * (y * Width + x);
             if (image.Format == PixelFormat.Gray8)
             {
-                image.Pixels[((long)y * image.Stride) + x] = (byte)Clip(0.114 * _light[i] + 0.587 * _light[i + 1] + 0.299 * _light[i + 2] + GrayNoise());
+                image.Pixels[((long)y * image.Stride) + x] = (byte)Clip(0.114f * _light[i] + 0.587f * _light[i + 1] + 0.299f * _light[i + 2] + Noise(Next(ref _random) >> 20));
                 return;
             }
 
-            int blue = Clip(_light[i] + Noise()), green = Clip(_light[i + 1] + Noise()), red = Clip(_light[i + 2] + Noise());
+            uint random = Next(ref _random);
+            int blue = Clip(_light[i] + Noise(random >> 20)), green = Clip(_light[i + 1] + Noise(random >> 8 & 4095)), red = Clip(_light[i + 2] + Noise(random * 2654435769 >> 20));
             if (image.Format == PixelFormat.Bgra32)
             {
                 ((uint*)(image.Pixels + (long)y * image.Stride))[x] = PixelRow.Pack(blue, green, red);
                 return;
             }
 
-            double luma = 0.299 * red + 0.587 * green + 0.114 * blue;
-            byte u = (byte)Clip(128 + (blue - luma) / 1.772), v = (byte)Clip(128 + (red - luma) / 1.402);
+            float luma = 0.299f * red + 0.587f * green + 0.114f * blue;
+            byte u = (byte)Clip(128 + (blue - luma) / 1.772f), v = (byte)Clip(128 + (red - luma) / 1.402f);
             byte* row = image.Pixels + (long)y * image.Stride;
             switch (image.Format)
             {
@@ -156,12 +165,10 @@ namespace LaserTracking.Detection
         /// <summary>Chroma is shared by neighbours: the mean of what they say.</summary>
         private static void Blend(byte* chroma, byte value, bool isFirst) => *chroma = isFirst ? value : (byte)((*chroma + value + 1) / 2);
 
-        private static int Clip(double value) => value < 0 ? 0 : value > 255 ? 255 : (int)(value + 0.5);
+        private static int Clip(float value) => value < 0 ? 0 : value > 255 ? 255 : (int)(value + 0.5f);
 
-        private double Noise() => NoiseSigma <= 0 ? 0 : NoiseSigma * Normal(ref _random);
-
-        /// <summary>The same from a table, for long plays of grey pictures.</summary>
-        private float GrayNoise() => NoiseSigma <= 0 ? 0 : (float)NoiseSigma * Normals[Next(ref _random) >> 20];
+        /// <summary>From a table of 4096: pictures are many, and noise is most of their drawing.</summary>
+        private float Noise(uint place) => NoiseSigma <= 0 ? 0 : (float)NoiseSigma * Normals[place];
 
         private static float[] NormalTable()
         {

@@ -15,6 +15,7 @@ namespace LaserTracking.Detection
         [TestCase(8)]
         [TestCase(28)]
         [TestCase(47)]
+        [Category("Long")]
         public void Dot_ThatRestsWhileUnknownPicturesMove_IsOneShotAndStaysADot(int seed)
         {
             SimulationScenario scenario = MovingRange.Scenario(seed, 9);

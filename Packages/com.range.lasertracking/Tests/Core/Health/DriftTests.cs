@@ -103,7 +103,8 @@ namespace LaserTracking.Health
         [TestCase(ProjectedContent.Bay, 0.94)]
         [TestCase(ProjectedContent.Shapes, 0.94)]
         [TestCase(ProjectedContent.ShapesOverTexture, 0.94)]
-        [TestCase(ProjectedContent.ShapesOverTexture, 0.02, Category = "Long")]
+        [TestCase(ProjectedContent.ShapesOverTexture, 0.02)]
+        [Category("Long")]
         public void PictureMonitor_SimulatedContentMoves_OnlyTheCameraCounts(ProjectedContent content, double speed)
         {
             SimulationScenario scenario = Room(content, speed);

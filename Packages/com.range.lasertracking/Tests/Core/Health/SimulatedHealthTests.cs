@@ -39,6 +39,7 @@ namespace LaserTracking.Health
         }
 
         [Test]
+        [Category("Long")]
         public void PictureMonitor_AutomaticExposureSettles_IsSaidOnce()
         {
             SimulationScenario scenario = Room(30);

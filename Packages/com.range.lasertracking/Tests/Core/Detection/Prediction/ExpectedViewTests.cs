@@ -17,6 +17,7 @@ namespace LaserTracking.Detection
         [TestCase(1, 20)]
         [TestCase(2, 47)]
         [TestCase(3, 90)]
+        [Category("Long")]
         public void Delay_UnderMovingShapes_IsMeasuredWithinFiveMilliseconds(int seed, double delayMs)
         {
             SimulationScenario scenario = MovingRange.Scenario(seed, 3);
@@ -28,6 +29,7 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        [Category("Long")]
         public void Delay_OfClocksThatDriftApart_IsFollowed()
         {
             SimulationScenario scenario = MovingRange.Scenario(4, 10);
@@ -41,6 +43,7 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        [Category("Long")]
         public void Delay_ThatJumps_IsFoundAnewWithinThreeSeconds()
         {
             SimulationScenario scenario = MovingRange.Scenario(5, 9);
@@ -97,6 +100,7 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        [Category("Long")]
         public void Shots_WhileEverythingMoves_AreFoundWithTheirColorInTheirFirstFrame()
         {
             SimulationScenario scenario = MovingRange.Scenario(8, 14);

@@ -9,6 +9,7 @@ namespace LaserTracking.Detection
         [TestCase(0)]
         [TestCase(7_654_321)]
         [TestCase(-123_000_000)]
+        [Category("Long")]
         public void TryFind_PicturesOnAnotherClock_FindsTheDifferenceAndTheDelay(long offsetUs)
         {
             SimulationScenario scenario = MovingRange.Scenario(1, 6);
@@ -18,6 +19,7 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        [Category("Long")]
         public void TryFind_OtherPictures_FindsNothing()
         {
             var range = new MovingRange(MovingRange.Scenario(2, 6), MovingRange.Scenario(3, 6));
