@@ -116,7 +116,7 @@ namespace LaserTracking.Detection
                 return;
             if (!isKnown && (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, fresh, 0.5) || FailsAtEdge(view, ref candidate)))
                 return;
-            SurroundingsMeasurer.ColorRise(view, ref candidate);
+            SurroundingsMeasurer.ColorRise(view, ref candidate, isKnown && candidate.IsOnset ? Math.Min(1, fresh) : 1);
             bool isProvenByLevel = IsContentKnown && excess >= ConclusiveExcess;
 
             // What the projector could show itself needs more, and twice as much where it is grey: a laser so weak would have a colour.

@@ -138,7 +138,10 @@ namespace LaserTracking.Detection
         /// Each channel's rise since the last frame through its own headroom there, summed over the box and 60 % more: the rim tells
         /// the colour where the core is white, and a saturated background lowers no channel's say.
         /// </summary>
-        public static void ColorRise(in FrameView view, ref Candidate candidate)
+        /// <param name="view">The frame.</param>
+        /// <param name="candidate">Grown.</param>
+        /// <param name="grown">Share of its rise that came in this frame, above 0: how vivid it is shows in that.</param>
+        public static void ColorRise(in FrameView view, ref Candidate candidate, double grown = 1)
         {
             int marginX = 1 + (candidate.Right - candidate.Left + 1) * 3 / 10, marginY = 1 + (candidate.Bottom - candidate.Top + 1) * 3 / 10;
             int x0 = Math.Max(0, candidate.Left - marginX), x1 = Math.Min(view.Width - 1, candidate.Right + marginX);
@@ -170,8 +173,8 @@ namespace LaserTracking.Detection
             candidate.GreenCoherence = either > 0 ? (green - red) / either : 0;
             double unit = 255 / ((double)candidate.Area * candidate.PeakRelativeRise);
             candidate.Freshness = Math.Max(blue, Math.Max(red, green)) * unit;
-            candidate.Vividness = Math.Max(red * unit + NeutralVividness * Unsaid(candidate, candidate.RedHeadroom),
-                green * unit + NeutralVividness * Unsaid(candidate, candidate.GreenHeadroom));
+            candidate.Vividness = Math.Max(red * unit / grown + NeutralVividness * Unsaid(candidate, candidate.RedHeadroom),
+                green * unit / grown + NeutralVividness * Unsaid(candidate, candidate.GreenHeadroom));
         }
 
         /// <summary>
