@@ -174,9 +174,7 @@ namespace LaserTracking.Tracking
         private void Continue(ref DotTrack track, in Dot dot, int laser, Detections detections)
         {
             track.Id = laser;
-            bool isTap = track.IsReported && dot.IsOnset && detections.FrameIndex - track.LastFrame >= 2
-                && detections.TimeUs - track.LastTimeUs >= _settings.MinTapGapUs && !IsHeld(track);
-            if (isTap)
+            if (IsTap(track, dot, detections))
             {
                 // The old flash ended in the dark frame between.
                 track = NewTrack(dot, detections, laser);
@@ -198,6 +196,15 @@ namespace LaserTracking.Tracking
                 Report(ref track, detections.FrameIndex);
             if (track.IsReported && _dotCount < MaxTracks)
                 _dots[_dotCount++] = new TrackedDot(track.Id, dot);
+        }
+
+        private bool IsTap(in DotTrack track, in Dot dot, Detections detections)
+        {
+            if (!track.IsReported || !dot.IsOnset || detections.FrameIndex - track.LastFrame < 2 || IsHeld(track))
+                return false;
+            long darkUs = detections.TimeUs - track.LastTimeUs;
+            bool isLate = _origin.RowTimeUs(detections, dot) - track.FirstTimeUs >= _settings.MinTapPeriodUs;
+            return darkUs >= (isLate ? _settings.MinTapGapUs / 2 : _settings.MinTapGapUs);
         }
 
         private void Begin(in Dot dot, int laser, Detections detections)

@@ -30,6 +30,12 @@ namespace LaserTracking.Tracking
         /// </summary>
         public long MinTapGapUs { get; set; } = 60_000;
 
+        /// <summary>
+        /// Half of that darkness will do when the track's own flash began at least this long ago, µs, 0…10 s: taps of long flashes leave
+        /// little darkness. Fastest taps follow each other after 0.10 s; a frame's time less, because flashes begin between frames.
+        /// </summary>
+        public long MinTapPeriodUs { get; set; } = 80_000;
+
         /// <summary>Frames that a dot which is not conclusive may wait for its proof at any frame rate, 1…60.</summary>
         public int MaxWaitFrames { get; set; } = 5;
 
@@ -61,6 +67,7 @@ namespace LaserTracking.Tracking
             SettingCheck.InRange(nameof(HaloRadiusPx), HaloRadiusPx, 0, 640);
             SettingCheck.InRange(nameof(HeldMemoryUs), HeldMemoryUs, 0, 60_000_000);
             SettingCheck.InRange(nameof(MinTapGapUs), MinTapGapUs, 0, 10_000_000);
+            SettingCheck.InRange(nameof(MinTapPeriodUs), MinTapPeriodUs, 0, 10_000_000);
             SettingCheck.InRange(nameof(MaxWaitFrames), MaxWaitFrames, 1, 60);
             SettingCheck.InRange(nameof(MaxWaitUs), MaxWaitUs, 0, 1_000_000);
             SettingCheck.InRange(nameof(VanishRadiusPx), VanishRadiusPx, 0, 640);

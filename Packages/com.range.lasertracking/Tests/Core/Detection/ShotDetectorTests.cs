@@ -177,6 +177,20 @@ namespace LaserTracking.Detection
             Assert.That(run.Shots[1].FrameIndex, Is.EqualTo(11));
         }
 
+        [TestCase(4, 2, 2)]
+        [TestCase(5, 1, 2)]
+        [TestCase(2, 1, 1, TestName = "a flash that flickers is one")]
+        public void Process_LongFlashesATenthOfASecondApartAtSixtyFrames_AreTwoShots(int lit, int dark, int shots)
+        {
+            var run = new DetectionRun(framesPerSecond: 60);
+            run.Play(0, 8, (b, i) => Wall(b));
+            run.Play(8, lit, (b, i) => Wall(b).GreenDot(151, 97));
+            run.Play(8 + lit, dark, (b, i) => Wall(b));
+            run.Play(8 + lit + dark, lit, (b, i) => Wall(b).GreenDot(152, 98));
+            run.Play(8 + 2 * lit + dark, 12, (b, i) => Wall(b));
+            Assert.That(run.Shots.Count, Is.EqualTo(shots));
+        }
+
         [Test]
         public void Process_TwoLasersAtOnce_AreTwoShots()
         {
