@@ -265,6 +265,7 @@ namespace LaserTracking.Burst
                 TileColumns = columns,
                 Tiles = data.Indices(tiles, columns * TileGrid.Count(height)),
                 Rises = data.Zeros<byte>(tiles * TileGrid.Size * TileGrid.Size),
+                Peaks = data.Zeros<byte>(tiles * TileGrid.Size),
             };
             kernels.Run(&work, tiles);
         }

@@ -40,7 +40,7 @@ namespace LaserTracking.Detection
                     int room = 255 - Level(view, column, row);
                     if (room < atRest)
                         saturated++;
-                    else if (!isContentKnown && room < DotRoom.LeastRiseLevels(_settings, noise, tiles.Activity(tile)))
+                    else if (!isContentKnown && room < DotRoom.LeastOnsetLevels(tiles.Activity(tile)))
                         busy++;
                 }
             }
@@ -52,14 +52,10 @@ namespace LaserTracking.Detection
         /// <summary>The tile's brightness: the mean of four of its pixels.</summary>
         private static int Level(in FrameView view, int column, int row)
         {
-            int sum = 0;
-            for (int i = 0; i < 4; i++)
-            {
-                int x = System.Math.Min(view.Width - 1, column * TileGrid.Size + 4 + i % 2 * 8), y = System.Math.Min(view.Height - 1, row * TileGrid.Size + 4 + i / 2 * 8);
-                sum += view.OldSmallest[y * view.Width + x];
-            }
-
-            return (sum + 2) / 4;
+            int left = System.Math.Min(view.Width - 1, column * TileGrid.Size + 4), right = System.Math.Min(view.Width - 1, column * TileGrid.Size + 12);
+            byte* upper = view.OldSmallest + System.Math.Min(view.Height - 1, row * TileGrid.Size + 4) * view.Width;
+            byte* lower = view.OldSmallest + System.Math.Min(view.Height - 1, row * TileGrid.Size + 12) * view.Width;
+            return (upper[left] + upper[right] + lower[left] + lower[right] + 2) / 4;
         }
 
         private void FindScreen(TileGrid tiles, ScreenMask mask, int factor)

@@ -47,49 +47,59 @@ namespace LaserTracking.Detection
             int maxArea = _stack.Length - 1;
             int seed = candidate.SeedY * width + candidate.SeedX;
             int count = 0;
+            uint* now = view.Now;
+            byte* past = view.Past(candidate.Plane);
+            int* reciprocal = view.Reciprocal;
 
             // Every pixel is looked at once a candidate, also those that turn out too low.
-            int serial = ++_serial;
-            _tested[seed] = serial;
-            _stack[count++] = seed;
-            _stamps[seed] = _stamp;
-            candidate.Left = candidate.Right = candidate.SeedX;
-            candidate.Top = candidate.Bottom = candidate.SeedY;
+            int serial = ++_serial, stamp = _stamp, seedX = candidate.SeedX, seedY = candidate.SeedY;
+            int left = seedX, right = seedX, top = seedY, bottom = seedY;
             long sumX = 0, sumY = 0, sumXX = 0, sumYY = 0, sumXY = 0;
-            for (int next = 0; next < count && count <= maxArea; next++)
+            DetectionPlane plane = candidate.Plane;
+            fixed (int* stamps = _stamps, tested = _tested, stack = _stack)
             {
-                int i = _stack[next];
-                int y = i / width, x = i - y * width;
-                int dx = x - candidate.SeedX, dy = y - candidate.SeedY;
-                sumX += dx;
-                sumY += dy;
-                sumXX += dx * dx;
-                sumYY += dy * dy;
-                sumXY += dx * dy;
-                candidate.Left = Math.Min(candidate.Left, x);
-                candidate.Right = Math.Max(candidate.Right, x);
-                candidate.Top = Math.Min(candidate.Top, y);
-                candidate.Bottom = Math.Max(candidate.Bottom, y);
-                int y0 = y > 0 ? y - 1 : 0, y1 = y < height - 1 ? y + 1 : y, x0 = x > 0 ? x - 1 : 0, x1 = x < width - 1 ? x + 1 : x;
-                for (int ny = y0; ny <= y1; ny++)
+                tested[seed] = serial;
+                stack[count++] = seed;
+                stamps[seed] = stamp;
+                for (int next = 0; next < count && count <= maxArea; next++)
                 {
-                    for (int n = ny * width + x0; n <= ny * width + x1; n++)
+                    int i = stack[next];
+                    int y = i / width, x = i - y * width;
+                    int dx = x - seedX, dy = y - seedY;
+                    sumX += dx;
+                    sumY += dy;
+                    sumXX += dx * dx;
+                    sumYY += dy * dy;
+                    sumXY += dx * dy;
+                    left = Math.Min(left, x);
+                    right = Math.Max(right, x);
+                    top = Math.Min(top, y);
+                    bottom = Math.Max(bottom, y);
+                    int y0 = y > 0 ? y - 1 : 0, y1 = y < height - 1 ? y + 1 : y, x0 = x > 0 ? x - 1 : 0, x1 = x < width - 1 ? x + 1 : x;
+                    for (int ny = y0; ny <= y1; ny++)
                     {
-                        if (_tested[n] == serial)
-                            continue;
-                        _tested[n] = serial;
-                        if (_stamps[n] == _stamp || count > maxArea)
-                            continue;
-                        int value = isByLevel ? FrameView.Level(view.Now[n], candidate.Plane) : view.RelativeRise(n, candidate.Plane);
-                        if (value < threshold)
-                            continue;
-                        _stamps[n] = _stamp;
-                        _stack[count++] = n;
+                        for (int n = ny * width + x0; n <= ny * width + x1; n++)
+                        {
+                            if (tested[n] == serial)
+                                continue;
+                            tested[n] = serial;
+                            if (stamps[n] == stamp || count > maxArea)
+                                continue;
+                            int value = isByLevel ? FrameView.Level(now[n], plane) : FrameView.RelativeRise(now[n], plane, past[n], reciprocal);
+                            if (value < threshold)
+                                continue;
+                            stamps[n] = stamp;
+                            stack[count++] = n;
+                        }
                     }
                 }
             }
 
             candidate.Area = count;
+            candidate.Left = left;
+            candidate.Right = right;
+            candidate.Top = top;
+            candidate.Bottom = bottom;
             double meanX = (double)sumX / count, meanY = (double)sumY / count;
             candidate.CenterX = candidate.SeedX + meanX;
             candidate.CenterY = candidate.SeedY + meanY;

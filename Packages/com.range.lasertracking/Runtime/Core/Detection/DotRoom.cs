@@ -11,10 +11,12 @@ namespace LaserTracking.Detection
         /// <summary>Least rise of an ordinary dot that the detector takes, levels, where nothing moves.</summary>
         /// <param name="settings">The detector's.</param>
         /// <param name="noise">Temporal noise, levels (one standard deviation).</param>
-        /// <param name="activity">Recent ordinary onset of the tile, levels.</param>
-        public static double LeastRiseLevels(ShotDetectorSettings settings, double noise, double activity = 0) =>
+        public static double LeastRiseLevels(ShotDetectorSettings settings, double noise) =>
             Math.Max(Math.Max(settings.MinRiseLevels, settings.MinRiseSigmas * noise),
-                Math.Max(LeastStrength(settings.Evidence) / Math.Sqrt(OrdinaryAreaPx), ShotDetector.GateFloor + TileGrid.GateShare * activity));
+                Math.Max(LeastStrength(settings.Evidence) / Math.Sqrt(OrdinaryAreaPx), LeastOnsetLevels(0)));
+
+        /// <summary>What a tile with this recent ordinary onset takes besides, levels.</summary>
+        public static double LeastOnsetLevels(double activity) => ShotDetector.GateFloor + TileGrid.GateShare * activity;
 
         /// <summary>Rise times root of the area from which strength speaks for a dot, levels·px.</summary>
         private static double LeastStrength(DotEvidence evidence) => Math.Exp(evidence.Curves[(int)DotFeature.LogStrength].NearestLimit(0));

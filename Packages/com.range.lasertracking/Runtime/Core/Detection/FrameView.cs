@@ -65,9 +65,11 @@ namespace LaserTracking.Detection
             return red > largest ? red : largest;
         }
 
-        /// <summary>The brightness that the pixel's own past explains.</summary>
-        public int Envelope(int i, DetectionPlane plane) =>
-            plane == DetectionPlane.Smallest ? OldSmallest[i] : OldLargest[i];
+        /// <summary>The brightness that the pixels' own past explains.</summary>
+        public byte* Past(DetectionPlane plane) => plane == DetectionPlane.Smallest ? OldSmallest : OldLargest;
+
+        /// <summary>The same of one pixel.</summary>
+        public int Envelope(int i, DetectionPlane plane) => Past(plane)[i];
 
         /// <summary>Levels above the pixel's own past; may be negative.</summary>
         public int Rise(int i, DetectionPlane plane) => Level(Now[i], plane) - Envelope(i, plane);
@@ -92,11 +94,15 @@ namespace LaserTracking.Detection
             && Rise(i, plane) >= (IsClipped(i, plane) ? least : leastUnclipped);
 
         /// <summary>Change since the last frame, levels; between pixels only what leaves the range of the nine pixels around.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public int Change(int i, DetectionPlane plane)
         {
             int now = Level(Now[i], plane), before = Level(Before[i], plane);
-            if (!IsBetweenPixels)
-                return now - before;
+            return IsBetweenPixels ? ChangeBeyondNine(i, plane, now, before) : now - before;
+        }
+
+        private int ChangeBeyondNine(int i, DetectionPlane plane, int now, int before)
+        {
             int lowest = before, highest = before, y = i / Width, x = i - y * Width;
             for (int ny = y > 0 ? y - 1 : 0; ny <= y + 1 && ny < Height; ny++)
             {

@@ -8,6 +8,7 @@ namespace LaserTracking.Detection
     {
         private readonly KernelRunner _kernels;
         private readonly byte[] _rises;
+        private readonly byte[] _peaks;
         private readonly BlobMeasurer _blobs;
         private readonly DotMemory _memory;
 
@@ -19,6 +20,7 @@ namespace LaserTracking.Detection
         {
             _kernels = kernels;
             _rises = new byte[maxTiles * TileGrid.Size * TileGrid.Size];
+            _peaks = new byte[maxTiles * TileGrid.Size];
             _blobs = blobs;
             _memory = memory;
         }
@@ -27,9 +29,9 @@ namespace LaserTracking.Detection
         public void Fill(in FrameView view, DetectionPlane plane, int tileColumns, ReadOnlySpan<int> tiles)
         {
             fixed (int* list = tiles)
-            fixed (byte* rises = _rises)
+            fixed (byte* rises = _rises, peaks = _peaks)
             {
-                var work = new RiseBands { View = view, Plane = plane, TileColumns = tileColumns, Tiles = list, Rises = rises };
+                var work = new RiseBands { View = view, Plane = plane, TileColumns = tileColumns, Tiles = list, Rises = rises, Peaks = peaks };
                 _kernels.Run(&work, tiles.Length);
             }
         }
@@ -42,7 +44,9 @@ namespace LaserTracking.Detection
             int y0 = tileY * TileGrid.Size, y1 = Math.Min(view.Height, y0 + TileGrid.Size);
             for (int y = y0; y < y1; y++)
             {
-                int source = (slot * TileGrid.Size + y - y0) * TileGrid.Size;
+                int row = slot * TileGrid.Size + y - y0, source = row * TileGrid.Size;
+                if (_peaks[row] <= best)
+                    continue;
                 for (int x = x0; x < x1; x++)
                 {
                     int rise = _rises[source++];

@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using System.Runtime.CompilerServices;
 
 namespace LaserTracking.Detection
 {
@@ -148,16 +149,17 @@ namespace LaserTracking.Detection
             int y0 = Math.Max(0, candidate.Top - marginY), y1 = Math.Min(view.Height - 1, candidate.Bottom + marginY);
             double red = 0, green = 0, blue = 0, either = 0;
             int redRoom = 0, greenRoom = 0;
+            double[] throughRoom = ThroughRoom;
             for (int y = y0; y <= y1; y++)
             {
                 for (int x = x0; x <= x1; x++)
                 {
                     uint now = view.Now[y * view.Width + x], before = view.Before[y * view.Width + x];
-                    double greenShare = Share((int)(now >> 8 & 255), (int)(before >> 8 & 255));
-                    double redShare = Share((int)(now >> 16 & 255), (int)(before >> 16 & 255));
+                    double greenShare = Share(throughRoom, (int)(now >> 8 & 255), (int)(before >> 8 & 255));
+                    double redShare = Share(throughRoom, (int)(now >> 16 & 255), (int)(before >> 16 & 255));
                     redRoom += 255 - (int)(before >> 16 & 255);
                     greenRoom += 255 - (int)(before >> 8 & 255);
-                    blue += Share((int)(now & 255), (int)(before & 255));
+                    blue += Share(throughRoom, (int)(now & 255), (int)(before & 255));
                     green += greenShare;
                     red += redShare;
                     either += Math.Abs(greenShare - redShare);
@@ -211,6 +213,7 @@ namespace LaserTracking.Detection
             Math.Max(0, 1 - headroom / AmpleHeadroom) * Math.Min(1, candidate.PeakRelativeRise / 127.5);
 
         /// <summary>By the room that the darker of the two left: what leaves full brightness falls no further than what reaches it rises.</summary>
-        private static double Share(int now, int before) => (now - before) * ThroughRoom[now < before ? now : before];
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static double Share(double[] throughRoom, int now, int before) => (now - before) * throughRoom[now < before ? now : before];
     }
 }

@@ -6,7 +6,7 @@ namespace LaserTracking.Detection
     /// The largest onset of each tile of 16×16 working pixels, and how large it has been of late: a region that keeps moving raises
     /// its own threshold and nobody else's. Picks the tiles worth exact work, the most surprising ones when there are too many.
     /// </summary>
-    internal sealed class TileGrid
+    internal sealed partial class TileGrid
     {
         public const int Size = 16;
         private const float Follow = 0.25f;
@@ -64,7 +64,11 @@ namespace LaserTracking.Detection
         /// <summary>Reduces column maxima to the onsets of one row of tiles.</summary>
         public static unsafe void ReduceRow(byte* columns, int width, byte* onsets)
         {
-            for (int t = 0; t < Count(width); t++)
+            int t = 0;
+#if NET8_0_OR_GREATER
+            t = ReduceRowVector(columns, width, onsets);
+#endif
+            for (; t < Count(width); t++)
             {
                 int end = (t + 1) * Size < width ? (t + 1) * Size : width;
                 byte largest = 0;

@@ -103,6 +103,59 @@ namespace LaserTracking.Detection
             Assert.That(result, Is.EqualTo(flat));
         }
 
+        [Test]
+        public void Rises_OfATile_AreSharesOfTheRoomAndTheirRowsPeaks([Values] bool ofLargest, [Values(16, 15, 3)] int width, [Values(16, 13, 1)] int height)
+        {
+            const int Stride = 21;
+            DetectionPlane plane = ofLargest ? DetectionPlane.Largest : DetectionPlane.Smallest;
+            var random = new Random(13);
+            var now = new uint[Stride * TileGrid.Size];
+            var past = new byte[now.Length];
+            byte[] rises = new byte[TileGrid.Size * TileGrid.Size], peaks = new byte[TileGrid.Size], expected = new byte[rises.Length], expectedPeaks = new byte[peaks.Length];
+            int[] reciprocal = FrameView.Reciprocals();
+            for (int i = 0; i < now.Length; i++)
+            {
+                now[i] = (uint)random.Next() * 2u + (uint)random.Next(2);
+                past[i] = (byte)(random.Next(3) == 0 ? random.Next(256) : random.Next(90));
+            }
+
+            fixed (uint* n = now)
+            fixed (byte* p = past, r = rises, peak = peaks)
+            fixed (int* table = reciprocal)
+            {
+                RiseKernel.Tile(n, p, Stride, plane, table, width, height, r, peak);
+                for (int y = 0; y < height; y++)
+                {
+                    for (int x = 0; x < width; x++)
+                    {
+                        byte rise = (byte)FrameView.RelativeRise(now[y * Stride + x], plane, past[y * Stride + x], table);
+                        expected[y * TileGrid.Size + x] = rise;
+                        expectedPeaks[y] = Math.Max(expectedPeaks[y], rise);
+                    }
+                }
+            }
+
+            Assert.That(rises, Is.EqualTo(expected));
+            Assert.That(peaks, Is.EqualTo(expectedPeaks));
+        }
+
+        [Test]
+        public void Onsets_OfARow_AreTheLargestOfEachTile()
+        {
+            var random = new Random(15);
+            foreach (int width in Widths)
+            {
+                var columns = new byte[width];
+                random.NextBytes(columns);
+                byte[] onsets = new byte[TileGrid.Count(width)], expected = new byte[onsets.Length];
+                for (int x = 0; x < width; x++)
+                    expected[x / TileGrid.Size] = Math.Max(expected[x / TileGrid.Size], columns[x]);
+                fixed (byte* c = columns, o = onsets)
+                    TileGrid.ReduceRow(c, width, o);
+                Assert.That(onsets, Is.EqualTo(expected), "width " + width);
+            }
+        }
+
         /// <summary>Per channel the largest of the pixels that fall into the block.</summary>
         private static uint Reference(Image image, int x, int y, int factor)
         {

@@ -13,10 +13,6 @@ namespace LaserTracking.Detection
             if (!Avx2.IsSupported)
                 return 0;
             Vector256<byte> step = Vector256.Create(decay);
-            Vector256<uint> lowByte = Vector256.Create(0xFFu);
-
-            // The two packs leave groups of four pixels in the order a0 b0 c0 d0 a1 b1 c1 d1.
-            Vector256<int> order = Vector256.Create(0, 4, 1, 5, 2, 6, 3, 7);
             int x = 0;
             for (; x + 32 <= width; x += 32)
             {
@@ -24,26 +20,13 @@ namespace LaserTracking.Detection
                 Vector256<uint> b = Avx.LoadVector256(pixels + x + 8);
                 Vector256<uint> c = Avx.LoadVector256(pixels + x + 16);
                 Vector256<uint> d = Avx.LoadVector256(pixels + x + 24);
-                Vector256<byte> smallest = Pack(Smallest(a) & lowByte, Smallest(b) & lowByte, Smallest(c) & lowByte, Smallest(d) & lowByte, order);
-                Vector256<byte> largest = Pack(Largest(a) & lowByte, Largest(b) & lowByte, Largest(c) & lowByte, Largest(d) & lowByte, order);
+                Vector256<byte> smallest = LevelVectors.Of(a, b, c, d, DetectionPlane.Smallest);
+                Vector256<byte> largest = LevelVectors.Of(a, b, c, d, DetectionPlane.Largest);
                 Block(smallest, step, oldMin + x, newMin + x, columnMin + x);
                 Block(largest, step, oldMax + x, newMax + x, columnMax + x);
             }
 
             return x;
-        }
-
-        private static Vector256<uint> Smallest(Vector256<uint> p) => Avx2.Min(
-            Avx2.Min(p.AsByte(), Avx2.ShiftRightLogical(p, 8).AsByte()), Avx2.ShiftRightLogical(p, 16).AsByte()).AsUInt32();
-
-        private static Vector256<uint> Largest(Vector256<uint> p) => Avx2.Max(
-            Avx2.Max(p.AsByte(), Avx2.ShiftRightLogical(p, 8).AsByte()), Avx2.ShiftRightLogical(p, 16).AsByte()).AsUInt32();
-
-        private static Vector256<byte> Pack(Vector256<uint> a, Vector256<uint> b, Vector256<uint> c, Vector256<uint> d, Vector256<int> order)
-        {
-            Vector256<short> ab = Avx2.PackSignedSaturate(a.AsInt32(), b.AsInt32());
-            Vector256<short> cd = Avx2.PackSignedSaturate(c.AsInt32(), d.AsInt32());
-            return Avx2.PermuteVar8x32(Avx2.PackUnsignedSaturate(ab, cd).AsInt32(), order).AsByte();
         }
 
         private static void Block(Vector256<byte> level, Vector256<byte> decay, byte* old, byte* next, byte* column)

@@ -40,9 +40,12 @@ namespace LaserTracking.Detection
 
         private void CountChange(int y, int* histogram)
         {
-            for (int x = Step / 2; x < View.Width; x += Step)
+            // In variables: what is written through a pointer could be this very structure.
+            FrameView view = View;
+            int step = Step;
+            for (int x = step / 2; x < view.Width; x += step)
             {
-                int change = View.Change(y * View.Width + x, DetectionPlane.Smallest);
+                int change = view.Change(y * view.Width + x, DetectionPlane.Smallest);
                 histogram[change < 0 ? -change : change]++;
             }
         }

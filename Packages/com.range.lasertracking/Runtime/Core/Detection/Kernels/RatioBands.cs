@@ -6,7 +6,7 @@ namespace LaserTracking.Detection
     /// Brightness of samples through that of the same ones a frame ago: first how often each ratio occurs, then, near the commonest,
     /// the sums. A band is a share of the samples; what bands count is added up afterwards, in whole numbers.
     /// </summary>
-    internal unsafe struct RatioBands : IKernelBands
+    internal unsafe partial struct RatioBands : IKernelBands
     {
         private const int SampleStep = 3, DarkestForRatio = 24, BrightestForRatio = 245;
 
@@ -50,7 +50,11 @@ namespace LaserTracking.Detection
             ulong* reciprocals = Reciprocals;
             for (int i = 0; i < 256; i++)
                 ratios[i] = 0;
-            for (int i = first; i < end; i += SampleStep)
+            int i0 = first;
+#if NET8_0_OR_GREATER
+            i0 = CountVector(here, past, first, end, ratios);
+#endif
+            for (int i = i0; i < end; i += SampleStep)
             {
                 int now = here[i], before = past[i];
                 if (!IsUsable(now, before))
@@ -63,8 +67,11 @@ namespace LaserTracking.Detection
         private void SumUp(int first, int end, long* sums)
         {
             byte* here = Now, past = Before;
-            int count = 0, sumNow = 0, sumBefore = 0, middle = Middle, width = Width;
-            for (int i = first; i < end; i += SampleStep)
+            int count = 0, sumNow = 0, sumBefore = 0, middle = Middle, width = Width, i0 = first;
+#if NET8_0_OR_GREATER
+            i0 = SumUpVector(here, past, first, end, middle, width, ref count, ref sumNow, ref sumBefore);
+#endif
+            for (int i = i0; i < end; i += SampleStep)
             {
                 // What is outside one of the limits makes the sign: a branch would be guessed wrongly every few samples.
                 int now = here[i], before = past[i], off = 64 * now - middle * before, near = width * before;

@@ -17,22 +17,17 @@ namespace LaserTracking.Detection
         /// <summary>A tile's pixels for each, row by row; those beyond the border are left as they are.</summary>
         public byte* Rises;
 
+        /// <summary>The highest of each of a tile's rows.</summary>
+        public byte* Peaks;
+
         public void Execute(int slot)
         {
             int x0 = Tiles[slot] % TileColumns * TileGrid.Size, y0 = Tiles[slot] / TileColumns * TileGrid.Size;
             int x1 = x0 + TileGrid.Size < View.Width ? x0 + TileGrid.Size : View.Width, y1 = y0 + TileGrid.Size < View.Height ? y0 + TileGrid.Size : View.Height;
 
-            // In variables: what is written through a pointer could be this very structure.
-            uint* now = View.Now;
-            byte* past = Plane == DetectionPlane.Smallest ? View.OldSmallest : View.OldLargest;
-            int* reciprocal = View.Reciprocal;
-            DetectionPlane plane = Plane;
-            for (int y = y0; y < y1; y++)
-            {
-                byte* to = Rises + (slot * TileGrid.Size + y - y0) * TileGrid.Size;
-                for (int i = y * View.Width + x0; i < y * View.Width + x1; i++)
-                    *to++ = (byte)FrameView.RelativeRise(now[i], plane, past[i], reciprocal);
-            }
+            int first = y0 * View.Width + x0;
+            RiseKernel.Tile(View.Now + first, View.Past(Plane) + first, View.Width, Plane, View.Reciprocal, x1 - x0, y1 - y0,
+                Rises + slot * TileGrid.Size * TileGrid.Size, Peaks + slot * TileGrid.Size);
         }
     }
 }
