@@ -44,12 +44,13 @@ namespace LaserTracking.Detection
             int y0 = tileY * TileGrid.Size, y1 = Math.Min(view.Height, y0 + TileGrid.Size);
             for (int y = y0; y < y1; y++)
             {
-                int row = slot * TileGrid.Size + y - y0, source = row * TileGrid.Size;
-                if (_peaks[row] <= best)
+                int slotRow = slot * TileGrid.Size + y - y0;
+                if (_peaks[slotRow] <= best)
                     continue;
+                ReadOnlySpan<byte> rises = _rises.AsSpan(slotRow * TileGrid.Size, x1 - x0);
                 for (int x = x0; x < x1; x++)
                 {
-                    int rise = _rises[source++];
+                    int rise = rises[x - x0];
                     if (rise <= best || _blobs.IsTaken(y * view.Width + x) || _memory.IsLit(x, y))
                         continue;
                     best = rise;

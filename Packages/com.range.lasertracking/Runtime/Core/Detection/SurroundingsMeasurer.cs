@@ -5,7 +5,7 @@ using System.Runtime.CompilerServices;
 namespace LaserTracking.Detection
 {
     /// <summary>Looks at what happens around a candidate: whether it is alone, whether its neighbourhood is at rest, what colour rose.</summary>
-    internal static unsafe class SurroundingsMeasurer
+    internal static unsafe partial class SurroundingsMeasurer
     {
         /// <summary>One through the room above each level, eight levels granted.</summary>
         private static readonly double[] ThroughRoom = Enumerable.Range(0, 256).Select(level => 1.0 / (255 - level + 8)).ToArray();
@@ -128,8 +128,9 @@ namespace LaserTracking.Detection
             int peak = 0;
             for (int y = candidate.Top; y <= candidate.Bottom; y++)
             {
+                uint* row = view.Now + y * view.Width;
                 for (int x = candidate.Left; x <= candidate.Right; x++)
-                    peak = Math.Max(peak, FrameView.Level(view.Now[y * view.Width + x], DetectionPlane.Largest));
+                    peak = Math.Max(peak, FrameView.Level(row[x], DetectionPlane.Largest));
             }
 
             return peak;
@@ -147,28 +148,20 @@ namespace LaserTracking.Detection
             int marginX = 1 + (candidate.Right - candidate.Left + 1) * 3 / 10, marginY = 1 + (candidate.Bottom - candidate.Top + 1) * 3 / 10;
             int x0 = Math.Max(0, candidate.Left - marginX), x1 = Math.Min(view.Width - 1, candidate.Right + marginX);
             int y0 = Math.Max(0, candidate.Top - marginY), y1 = Math.Min(view.Height - 1, candidate.Bottom + marginY);
-            double red = 0, green = 0, blue = 0, either = 0;
-            int redRoom = 0, greenRoom = 0;
-            double[] throughRoom = ThroughRoom;
-            for (int y = y0; y <= y1; y++)
+            double* rises = stackalloc double[4];
+            int* levels = stackalloc int[4];
+            for (int i = 0; i < 4; i++)
+                rises[i] = levels[i] = 0;
+            fixed (double* throughRoom = ThroughRoom)
             {
-                for (int x = x0; x <= x1; x++)
-                {
-                    uint now = view.Now[y * view.Width + x], before = view.Before[y * view.Width + x];
-                    double greenShare = Share(throughRoom, (int)(now >> 8 & 255), (int)(before >> 8 & 255));
-                    double redShare = Share(throughRoom, (int)(now >> 16 & 255), (int)(before >> 16 & 255));
-                    redRoom += 255 - (int)(before >> 16 & 255);
-                    greenRoom += 255 - (int)(before >> 8 & 255);
-                    blue += Share(throughRoom, (int)(now & 255), (int)(before & 255));
-                    green += greenShare;
-                    red += redShare;
-                    either += Math.Abs(greenShare - redShare);
-                }
+                for (int y = y0; y <= y1; y++)
+                    AddRises(view.Now + y * view.Width + x0, view.Before + y * view.Width + x0, x1 - x0 + 1, throughRoom, rises, levels);
             }
 
+            double blue = rises[0], green = rises[1], red = rises[2], either = rises[3];
             int pixels = (x1 - x0 + 1) * (y1 - y0 + 1);
-            candidate.RedHeadroom = redRoom / (double)pixels;
-            candidate.GreenHeadroom = greenRoom / (double)pixels;
+            candidate.RedHeadroom = (255 * pixels - levels[2]) / (double)pixels;
+            candidate.GreenHeadroom = (255 * pixels - levels[1]) / (double)pixels;
             candidate.RedRise = red;
             candidate.GreenRise = green;
             candidate.BlueRise = blue;
@@ -177,6 +170,39 @@ namespace LaserTracking.Detection
             candidate.Freshness = Math.Max(blue, Math.Max(red, green)) * unit;
             candidate.Vividness = Math.Max(red * unit / grown + NeutralVividness * Unsaid(candidate, candidate.RedHeadroom),
                 green * unit / grown + NeutralVividness * Unsaid(candidate, candidate.GreenHeadroom));
+        }
+
+        /// <summary>Adds up one row's pixels, in their order.</summary>
+        /// <param name="now">The row's first pixel.</param>
+        /// <param name="before">The same in the last frame.</param>
+        /// <param name="count">Pixels.</param>
+        /// <param name="throughRoom">By level.</param>
+        /// <param name="rises">Of blue, of green, of red, and green's difference from red's.</param>
+        /// <param name="levels">Of blue, green and red in the last frame.</param>
+        internal static void AddRises(uint* now, uint* before, int count, double* throughRoom, double* rises, int* levels)
+        {
+            int i = 0;
+#if NET8_0_OR_GREATER
+            i = AddRisesVector(now, before, count, throughRoom, rises, levels);
+#endif
+            double blue = rises[0], green = rises[1], red = rises[2], either = rises[3];
+            for (; i < count; i++)
+            {
+                int blueBefore = (int)(before[i] & 255), greenBefore = (int)(before[i] >> 8 & 255), redBefore = (int)(before[i] >> 16 & 255);
+                double greenShare = Share(throughRoom, (int)(now[i] >> 8 & 255), greenBefore), redShare = Share(throughRoom, (int)(now[i] >> 16 & 255), redBefore);
+                blue += Share(throughRoom, (int)(now[i] & 255), blueBefore);
+                green += greenShare;
+                red += redShare;
+                either += Math.Abs(greenShare - redShare);
+                levels[0] += blueBefore;
+                levels[1] += greenBefore;
+                levels[2] += redBefore;
+            }
+
+            rises[0] = blue;
+            rises[1] = green;
+            rises[2] = red;
+            rises[3] = either;
         }
 
         /// <summary>
@@ -214,6 +240,6 @@ namespace LaserTracking.Detection
 
         /// <summary>By the room that the darker of the two left: what leaves full brightness falls no further than what reaches it rises.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static double Share(double[] throughRoom, int now, int before) => (now - before) * throughRoom[now < before ? now : before];
+        private static double Share(double* throughRoom, int now, int before) => (now - before) * throughRoom[now < before ? now : before];
     }
 }

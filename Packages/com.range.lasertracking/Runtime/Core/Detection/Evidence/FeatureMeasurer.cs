@@ -52,6 +52,7 @@ namespace LaserTracking.Detection
             int least = c.LeastRise(view, noise, out int leastUnclipped);
             int brighter = 0, darker = 0, risen = 0, count = 0, darkerRing = 0, ring = 0;
             long nowRing = 0, beforeRing = 0;
+            byte* past = view.Past(c.Plane);
             for (int y = Math.Max(0, c.Top - radius); y <= Math.Min(view.Height - 1, c.Bottom + radius); y += Step)
             {
                 int dy = Math.Max(0, Math.Max(c.Top - y, y - c.Bottom));
@@ -61,21 +62,22 @@ namespace LaserTracking.Detection
                     if (distance <= inner)
                         continue;
                     int i = y * view.Width + x;
-                    int change = view.Change(i, c.Plane);
+                    int level = FrameView.Level(view.Now[i], c.Plane), before = FrameView.Level(view.Before[i], c.Plane);
+                    int change = view.IsBetweenPixels ? view.Change(i, c.Plane) : level - before;
                     count++;
                     if (change > threshold)
                         brighter++;
                     else if (change < -threshold)
                         darker++;
-                    if (view.HasRisen(i, c.Plane, half, least, leastUnclipped))
+                    if (level > past[i] && view.HasRisen(i, c.Plane, half, least, leastUnclipped))
                         risen++;
                     if (distance > near)
                         continue;
                     ring++;
                     if (change < -threshold)
                         darkerRing++;
-                    nowRing += FrameView.Level(view.Now[i], c.Plane);
-                    beforeRing += FrameView.Level(view.Before[i], c.Plane);
+                    nowRing += level;
+                    beforeRing += before;
                 }
             }
 

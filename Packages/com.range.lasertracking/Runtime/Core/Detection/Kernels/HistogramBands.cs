@@ -24,38 +24,42 @@ namespace LaserTracking.Detection
 
         public void Execute(int band)
         {
-            int* histogram = Histograms + Levels * band;
-            for (int i = 0; i < Levels; i++)
-                histogram[i] = 0;
+            // Two lists in turn: the commonest level comes many times in a row.
+            int* histogram = Histograms + Levels * band, counts = stackalloc int[2 * Levels];
+            for (int i = 0; i < 2 * Levels; i++)
+                counts[i] = 0;
             int rows = (View.Height - Step / 2 + Step - 1) / Step;
             int first = (int)((long)rows * band / BandCount), end = (int)((long)rows * (band + 1) / BandCount);
             for (int row = first; row < end; row++)
             {
                 if (IsOfChange)
-                    CountChange(Step / 2 + row * Step, histogram);
+                    CountChange(Step / 2 + row * Step, counts);
                 else
-                    CountPast(Step / 2 + row * Step, histogram);
+                    CountPast(Step / 2 + row * Step, counts);
             }
+
+            for (int i = 0; i < Levels; i++)
+                histogram[i] = counts[i] + counts[Levels + i];
         }
 
-        private void CountChange(int y, int* histogram)
+        private void CountChange(int y, int* counts)
         {
             // In variables: what is written through a pointer could be this very structure.
             FrameView view = View;
-            int step = Step;
-            for (int x = step / 2; x < view.Width; x += step)
+            int step = Step, list = 0;
+            for (int x = step / 2; x < view.Width; x += step, list ^= Levels)
             {
                 int change = view.Change(y * view.Width + x, DetectionPlane.Smallest);
-                histogram[change < 0 ? -change : change]++;
+                counts[list + (change < 0 ? -change : change)]++;
             }
         }
 
-        private void CountPast(int y, int* histogram)
+        private void CountPast(int y, int* counts)
         {
             byte* row = View.OldLargest + (long)y * View.Width;
-            int width = View.Width, step = Step;
-            for (int x = step / 2; x < width; x += step)
-                histogram[row[x]]++;
+            int width = View.Width, step = Step, list = 0;
+            for (int x = step / 2; x < width; x += step, list ^= Levels)
+                counts[list + row[x]]++;
         }
     }
 }

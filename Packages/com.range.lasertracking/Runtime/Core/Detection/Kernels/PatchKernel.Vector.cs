@@ -1,4 +1,5 @@
 #if NET8_0_OR_GREATER
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
 using LaserTracking.Imaging;
@@ -41,6 +42,7 @@ namespace LaserTracking.Detection
         }
 
         /// <summary>Of 32 pixels the first byte each.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static Vector256<byte> Samples(byte* row, int bytes)
         {
             if (bytes == 1)
@@ -59,6 +61,7 @@ namespace LaserTracking.Detection
         }
 
         /// <summary>Of 16 pairs of pixels the rounded means.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static Vector128<byte> Means(byte* row, int bytes)
         {
             Vector256<short> sums = Avx2.MultiplyAddAdjacent(Samples(row, bytes), Vector256.Create((sbyte)1));

@@ -1,4 +1,5 @@
 #if NET8_0_OR_GREATER
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
 
@@ -67,6 +68,7 @@ namespace LaserTracking.Detection
         }
 
         /// <summary>Every third byte.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static Vector128<byte> Samples(byte* at) =>
             Ssse3.Shuffle(Sse2.LoadVector128(at), Vector128.Create(0, 3, 6, 9, 12, 15, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255))
             | Ssse3.Shuffle(Sse2.LoadVector128(at + 16), Vector128.Create(255, 255, 255, 255, 255, 255, 2, 5, 8, 11, 14, 255, 255, 255, 255, 255))
@@ -75,6 +77,7 @@ namespace LaserTracking.Detection
         private static Vector128<byte> UpperHalf(Vector128<byte> v) => Sse2.ShiftRightLogical128BitLane(v, 8);
 
         /// <summary>All bits where <see cref="IsUsable"/>.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static Vector128<byte> Usable(Vector128<byte> now, Vector128<byte> before)
         {
             Vector128<byte> darkest = Vector128.Create((byte)DarkestForRatio), brightest = Vector128.Create((byte)BrightestForRatio);
@@ -82,6 +85,7 @@ namespace LaserTracking.Detection
         }
 
         /// <summary>Of the lower eight, up to 255; 256 where not usable. A rounded quotient of such numbers never reaches the next whole one.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static Vector256<int> Quotients(Vector128<byte> now, Vector128<byte> before, Vector128<byte> usable)
         {
             Vector256<int> divisor = Avx2.ConvertToVector256Int32(before);
@@ -92,6 +96,7 @@ namespace LaserTracking.Detection
         }
 
         /// <summary>All bits where a pair of now and before lies too far from the middle.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static Vector256<int> Beyond(Vector256<short> pairs, Vector256<short> offWeights, Vector256<short> nearWeights)
         {
             Vector256<int> off = Avx2.Abs(Avx2.MultiplyAddAdjacent(pairs, offWeights)).AsInt32();

@@ -50,11 +50,11 @@ namespace LaserTracking.Detection
             ulong* reciprocals = Reciprocals;
             for (int i = 0; i < 256; i++)
                 ratios[i] = 0;
-            int i0 = first;
+            int left = first;
 #if NET8_0_OR_GREATER
-            i0 = CountVector(here, past, first, end, ratios);
+            left = CountVector(here, past, first, end, ratios);
 #endif
-            for (int i = i0; i < end; i += SampleStep)
+            for (int i = left; i < end; i += SampleStep)
             {
                 int now = here[i], before = past[i];
                 if (!IsUsable(now, before))
@@ -67,11 +67,11 @@ namespace LaserTracking.Detection
         private void SumUp(int first, int end, long* sums)
         {
             byte* here = Now, past = Before;
-            int count = 0, sumNow = 0, sumBefore = 0, middle = Middle, width = Width, i0 = first;
+            int count = 0, sumNow = 0, sumBefore = 0, middle = Middle, width = Width, left = first;
 #if NET8_0_OR_GREATER
-            i0 = SumUpVector(here, past, first, end, middle, width, ref count, ref sumNow, ref sumBefore);
+            left = SumUpVector(here, past, first, end, middle, width, ref count, ref sumNow, ref sumBefore);
 #endif
-            for (int i = i0; i < end; i += SampleStep)
+            for (int i = left; i < end; i += SampleStep)
             {
                 // What is outside one of the limits makes the sign: a branch would be guessed wrongly every few samples.
                 int now = here[i], before = past[i], off = 64 * now - middle * before, near = width * before;

@@ -1,4 +1,5 @@
 #if NET8_0_OR_GREATER
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
 
@@ -28,6 +29,7 @@ namespace LaserTracking.Detection
             return y;
         }
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static Vector256<byte> Scale(Vector256<byte> rise, Vector256<byte> headroom, int* reciprocal)
         {
             Vector128<byte> r0 = rise.GetLower(), r1 = rise.GetUpper(), h0 = headroom.GetLower(), h1 = headroom.GetUpper();
@@ -39,6 +41,7 @@ namespace LaserTracking.Detection
         }
 
         /// <summary>The lower eight.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static Vector256<uint> Scale(Vector128<byte> rise, Vector128<byte> headroom, int* reciprocal)
         {
             Vector256<int> factor = Avx2.GatherVector256(reciprocal, Avx2.ConvertToVector256Int32(headroom), sizeof(int));
