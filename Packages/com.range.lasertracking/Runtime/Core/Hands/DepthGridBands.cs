@@ -22,6 +22,10 @@ namespace LaserTracking.Hands
         public void Execute(int row)
         {
             byte* top = Source.Row(row * StepPx + FirstPx), bottom = Source.Row(row * StepPx + SecondPx);
+#if NET8_0_OR_GREATER
+            DepthGridKernel.Announce(top + (long)StepPx * Source.Stride, 2 * Source.Width);
+            DepthGridKernel.Announce(bottom + (long)StepPx * Source.Stride, 2 * Source.Width);
+#endif
             long cells = (long)row * Width;
             DepthGridKernel.Row((ushort*)top, (ushort*)bottom, Width, StepPx, FirstPx, SecondPx, NearMm, FarMm, SurfaceStepMm, Z + cells, Lost + cells);
         }

@@ -1,7 +1,7 @@
 namespace LaserTracking.Hands
 {
     /// <summary>The inner loops over a depth picture.</summary>
-    internal static unsafe class DepthGridKernel
+    internal static unsafe partial class DepthGridKernel
     {
         /// <summary>
         /// One row of cells out of four pixels each: the mean of those that lie on the nearest surface. Taking the nearest and not
@@ -13,7 +13,11 @@ namespace LaserTracking.Hands
             int lowest = (int)near, highest = (int)far, band = (int)surfaceStep;
             if (lowest < 1)
                 lowest = 1;
-            for (int cell = 0; cell < cells; cell++)
+            int cell = 0;
+#if NET8_0_OR_GREATER
+            cell = RowVector(top, bottom, cells, stepPx, first, second, lowest, highest, band, z, lost);
+#endif
+            for (; cell < cells; cell++)
             {
                 int left = cell * stepPx + first, right = cell * stepPx + second;
                 int a = top[left], b = top[right], c = bottom[left], d = bottom[right];

@@ -1,3 +1,4 @@
+using LaserTracking.Imaging;
 using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands
@@ -13,11 +14,12 @@ namespace LaserTracking.Hands
         public void Execute(int row)
         {
             long first = (long)row * Width;
-            for (long i = first; i < first + Width; i++)
-            {
-                Levels[i] = Z[i] > 0 ? (byte)1 : (byte)0;
-                Before[i] = float.MaxValue;
-            }
+            float* z = Z + first;
+            byte* levels = Levels + first;
+            int width = Width;
+            for (int i = 0; i < width; i++)
+                levels[i] = z[i] > 0 ? (byte)1 : (byte)0;
+            PixelMemory.Fill(Before + first, width, float.MaxValue);
         }
     }
 }

@@ -1,4 +1,6 @@
 using System;
+using System.Runtime.CompilerServices;
+using LaserTracking.Imaging;
 using LaserTracking.Kernels;
 
 namespace LaserTracking.Hands
@@ -49,38 +51,52 @@ namespace LaserTracking.Hands
         public void Execute(int band)
         {
             Count = 0;
-            while (Count == 0 && Next < SeedCount)
+            int* seeds = Seeds;
+            byte* levels = Levels;
+            byte level = Level;
+            int next = Next, count = SeedCount;
+            while (Count == 0 && next < count)
             {
-                int seed = Seeds == null ? Next : Seeds[Next];
-                Next++;
-                if (Levels[seed] == Level)
+                if (seeds == null)
+                    next += PixelMemory.Find(levels + next, count - next, level);
+                if (next == count)
+                    break;
+                int seed = seeds == null ? next : seeds[next];
+                next++;
+                if (levels[seed] == level)
                     Grow(seed);
             }
+
+            Next = next;
         }
 
         private void Grow(int seed)
         {
             int first = Used, next = Used, used = Used, width = Width, height = Height;
             int* cells = Cells;
+            float* z = Z, rayX = RayX, before = Before;
+            byte* levels = Levels;
+            byte level = Level;
+            float step = StepMm;
             double area = 0, sumX = 0;
             float nearest = float.MaxValue, reach = 0;
             cells[used++] = seed;
-            Levels[seed] = 0;
+            levels[seed] = 0;
             while (next < used)
             {
                 int cell = cells[next++], y = cell / width, x = cell - y * width;
-                float here = Z[cell];
+                float here = z[cell];
                 area += (double)here * here;
-                sumX += (double)here * here * here * RayX[x];
+                sumX += (double)here * here * here * rayX[x];
                 nearest = Math.Min(nearest, here);
-                reach = Math.Max(reach, Before[cell]);
-                if (x > 0 && IsPart(cell - 1, here))
+                reach = Math.Max(reach, before[cell]);
+                if (x > 0 && IsPart(levels, z, cell - 1, level, here, step))
                     cells[used++] = cell - 1;
-                if (x + 1 < width && IsPart(cell + 1, here))
+                if (x + 1 < width && IsPart(levels, z, cell + 1, level, here, step))
                     cells[used++] = cell + 1;
-                if (y > 0 && IsPart(cell - width, here))
+                if (y > 0 && IsPart(levels, z, cell - width, level, here, step))
                     cells[used++] = cell - width;
-                if (y + 1 < height && IsPart(cell + width, here))
+                if (y + 1 < height && IsPart(levels, z, cell + width, level, here, step))
                     cells[used++] = cell + width;
             }
 
@@ -92,11 +108,12 @@ namespace LaserTracking.Hands
             ReachMm = reach;
         }
 
-        private bool IsPart(int cell, float here)
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static bool IsPart(byte* levels, float* z, int cell, byte level, float here, float step)
         {
-            if (Levels[cell] != Level || Math.Abs(Z[cell] - here) > StepMm)
+            if (levels[cell] != level || Math.Abs(z[cell] - here) > step)
                 return false;
-            Levels[cell] = 0;
+            levels[cell] = 0;
             return true;
         }
     }

@@ -1,9 +1,10 @@
 using System;
+using LaserTracking.Imaging;
 
 namespace LaserTracking.Hands
 {
     /// <summary>The loops over the cells of one surface that find the body in it.</summary>
-    internal static unsafe class TorsoKernel
+    internal static unsafe partial class TorsoKernel
     {
         public const int ColumnBins = 160;
         public const int DepthBins = 240;
@@ -41,18 +42,20 @@ namespace LaserTracking.Hands
         /// <summary>The body's distance by column: the median over a shoulder's width, weighted by area.</summary>
         public static void FindBody(in TorsoBands work)
         {
-            int low = ColumnBins, high = -1;
-            for (int i = 0; i < ColumnBins * DepthBins; i++)
-                work.Histogram[i] = 0;
-            for (int i = 0; i < work.CellCount; i++)
+            // In variables: what is written through a pointer could be this very structure.
+            int* cells = work.Cells, histogram = work.Histogram;
+            float* distances = work.Z, rayX = work.RayX, rayY = work.RayY;
+            int width = work.Width, count = work.CellCount, low = ColumnBins, high = -1;
+            double slope = work.Slope, binMm = work.DepthBinMm;
+            for (int i = 0; i < count; i++)
             {
-                int cell = work.Cells[i], row = cell / work.Width;
-                float z = work.Z[cell];
-                int column = ColumnOf(work.RayX[cell - row * work.Width] * z);
-                low = Math.Min(low, column);
-                high = Math.Max(high, column);
-                int depth = (int)((z - work.Slope * work.RayY[row] * z + SlackMm) / work.DepthBinMm);
-                work.Histogram[column * DepthBins + Math.Max(0, Math.Min(DepthBins - 1, depth))] += 1 + (int)(z * z / 65536);
+                int cell = cells[i], row = cell / width;
+                float z = distances[cell];
+                int column = ColumnOf(rayX[cell - row * width] * z);
+                if (column < low || column > high)
+                    Widen(histogram, column, ref low, ref high);
+                int depth = (int)((z - slope * rayY[row] * z + SlackMm) / binMm);
+                histogram[column * DepthBins + Math.Max(0, Math.Min(DepthBins - 1, depth))] += 1 + (int)(z * z / 65536);
             }
 
             FindMedians(work, low, high);
@@ -62,20 +65,37 @@ namespace LaserTracking.Hands
             FillBesideBodies(work.Columns, low, high, (long)(most * BodyShare));
         }
 
+        /// <summary>Takes in a column, and those up to it, with nothing counted there yet.</summary>
+        private static void Widen(int* histogram, int column, ref int low, ref int high)
+        {
+            int from = high < 0 || column < low ? column : high + 1, end = high < 0 || column > high ? column + 1 : low;
+            PixelMemory.Clear((byte*)(histogram + from * DepthBins), (end - from) * DepthBins * sizeof(int));
+            low = Math.Min(low, column);
+            high = Math.Max(high, column);
+        }
+
         /// <summary>What stands out before its body goes a level on; the rest is torso.</summary>
         public static void MarkForward(in TorsoBands work)
         {
-            for (int i = 0; i < work.CellCount; i++)
+            int* cells = work.Cells;
+            float* distances = work.Z, rayX = work.RayX, rayY = work.RayY, befores = work.Before;
+            byte* levels = work.Levels;
+            TorsoColumn* columns = work.Columns;
+            int width = work.Width, count = work.CellCount;
+            double slope = work.Slope;
+            float forward = work.ForwardMm;
+            byte nextLevel = work.NextLevel;
+            for (int i = 0; i < count; i++)
             {
-                int cell = work.Cells[i], row = cell / work.Width;
-                float z = work.Z[cell];
-                double x = work.RayX[cell - row * work.Width] * z, y = work.RayY[row] * z;
-                TorsoColumn* column = work.Columns + ColumnOf(x);
-                float before = (float)(column->BodyMm + work.Slope * y) - z;
-                work.Before[cell] = before;
-                if (before > work.ForwardMm)
+                int cell = cells[i], row = cell / width;
+                float z = distances[cell];
+                double x = rayX[cell - row * width] * z, y = rayY[row] * z;
+                TorsoColumn* column = columns + ColumnOf(x);
+                float before = (float)(column->BodyMm + slope * y) - z;
+                befores[cell] = before;
+                if (before > forward)
                 {
-                    work.Levels[cell] = work.NextLevel;
+                    levels[cell] = nextLevel;
                     continue;
                 }
 
@@ -97,11 +117,15 @@ namespace LaserTracking.Hands
             }
 
             double yy = 0, yz = 0;
-            for (int i = 0; i < work.CellCount; i++)
+            int* cells = work.Cells;
+            float* distances = work.Z, rayX = work.RayX, rayY = work.RayY;
+            TorsoColumn* columns = work.Columns;
+            int width = work.Width, count = work.CellCount;
+            for (int i = 0; i < count; i++)
             {
-                int cell = work.Cells[i], row = cell / work.Width;
-                double z = work.Z[cell], w = z * z, y = work.RayY[row] * z;
-                TorsoColumn* column = work.Columns + ColumnOf(work.RayX[cell - row * work.Width] * z);
+                int cell = cells[i], row = cell / width;
+                double z = distances[cell], w = z * z, y = rayY[row] * z;
+                TorsoColumn* column = columns + ColumnOf(rayX[cell - row * width] * z);
                 if (!isFirst && column->Line + slope * y - z > limitMm)
                     continue;
                 column->Weight += w;
@@ -150,8 +174,11 @@ namespace LaserTracking.Hands
 
         private static long Add(int* window, int* column, int sign)
         {
-            int sum = 0;
-            for (int d = 0; d < DepthBins; d++)
+            int sum = 0, d = 0;
+#if NET8_0_OR_GREATER
+            d = AddVector(window, column, sign, ref sum);
+#endif
+            for (; d < DepthBins; d++)
             {
                 window[d] += sign * column[d];
                 sum += column[d];

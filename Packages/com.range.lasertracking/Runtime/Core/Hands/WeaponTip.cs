@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using LaserTracking.Geometry;
 using LaserTracking.Imaging;
 
@@ -65,6 +66,11 @@ namespace LaserTracking.Hands
             int cx = (int)Math.Round(px.X), cy = (int)Math.Round(px.Y);
             int left = Math.Max(0, cx - reach), right = Math.Min(depth.Width - 1, cx + reach);
             int top = Math.Max(0, cy - reach), bottom = Math.Min(depth.Height - 1, cy + reach);
+            double* raysX = stackalloc double[2 * MaxReachPx + 1], raysY = stackalloc double[2 * MaxReachPx + 1];
+            for (int x = left; x <= right; x++)
+                raysX[x - left] = (x - view.CenterXPx) / view.FocalXPx;
+            for (int y = top; y <= bottom; y++)
+                raysY[y - top] = (y - view.CenterYPx) / view.FocalYPx;
             int* bins = stackalloc int[Bins];
             for (int i = 0; i < Bins; i++)
                 bins[i] = 0;
@@ -73,7 +79,7 @@ namespace LaserTracking.Hands
                 var row = (ushort*)(depth.Pixels + (long)y * depth.Stride);
                 for (int x = left; x <= right; x++)
                 {
-                    if (IsOn(view, x, y, row[x], endMm, axis, out _, out double s))
+                    if (IsOn(raysX[x - left], raysY[y - top], row[x], endMm, axis, out _, out double s))
                         bins[(int)((BeforeMm - s) / BinMm)]++;
                 }
             }
@@ -89,14 +95,15 @@ namespace LaserTracking.Hands
                 Vector3D sum = default, sideSum = default, turning = default;
                 double frontSum = 0, squares = 0, alongSum = 0, alongSquares = 0;
                 int count = 0, frontCount = 0;
+                double moved = Vector3D.Dot(middle - endMm, axis);
                 for (int y = top; y <= bottom; y++)
                 {
                     var row = (ushort*)(depth.Pixels + (long)y * depth.Stride);
                     for (int x = left; x <= right; x++)
                     {
-                        if (!IsOn(view, x, y, row[x], middle, axis, out Vector3D point, out double s))
+                        if (!IsOn(raysX[x - left], raysY[y - top], row[x], middle, axis, out Vector3D point, out double s))
                             continue;
-                        s += Vector3D.Dot(middle - endMm, axis);
+                        s += moved;
                         double before = s - front;
                         if (before > LayerMm || before < -LengthMm)
                             continue;
@@ -186,13 +193,21 @@ namespace LaserTracking.Hands
             return -axis;
         }
 
-        private static bool IsOn(PinholeCamera view, int x, int y, int z, Vector3D end, Vector3D axis, out Vector3D point, out double s)
+        /// <param name="rayX">x/z of the pixel's ray.</param>
+        /// <param name="rayY">y/z of it.</param>
+        /// <param name="z">Its depth, mm.</param>
+        /// <param name="end">Of the weapon.</param>
+        /// <param name="axis">Of the weapon.</param>
+        /// <param name="point">What the pixel shows.</param>
+        /// <param name="s">Where that is along the axis, from the end.</param>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static bool IsOn(double rayX, double rayY, int z, Vector3D end, Vector3D axis, out Vector3D point, out double s)
         {
             point = default;
             s = 0;
             if (Math.Abs(z - end.Z) > BehindMm + BesideMm)
                 return false;
-            point = view.Unproject(x, y, z);
+            point = new Vector3D(rayX * z, rayY * z, z);
             Vector3D d = point - end;
             s = Vector3D.Dot(d, axis);
             return s < BeforeMm && s > -BehindMm && d.LengthSquared - s * s < BesideMm * BesideMm;

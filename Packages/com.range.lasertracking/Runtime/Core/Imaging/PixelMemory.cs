@@ -37,6 +37,20 @@ namespace LaserTracking.Imaging
 #endif
         }
 
+        /// <summary>The first place of a value; count where there is none.</summary>
+        public static int Find(byte* source, int count, byte value)
+        {
+#if NET8_0_OR_GREATER
+            int place = new ReadOnlySpan<byte>(source, count).IndexOf(value);
+            return place < 0 ? count : place;
+#else
+            int i = 0;
+            while (i < count && source[i] != value)
+                i++;
+            return i;
+#endif
+        }
+
         public static void Clear(byte* target, int count)
         {
 #if NET8_0_OR_GREATER
