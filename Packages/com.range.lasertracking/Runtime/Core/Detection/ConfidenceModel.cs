@@ -14,19 +14,22 @@ namespace LaserTracking.Detection
         /// <summary>No sum of evidence counts for more: one dot in four hundred surprises.</summary>
         private const double MostLogOdds = 6;
 
-        /// <summary>Bias of the regression with the evidence centred as above: 5.4 · 0.2 + 0.6 · 1.5 + 4 · 0.7 − 3.9 · 0.45 − 0.4.</summary>
-        private const double Bias = 2.6;
+        /// <summary>Of the regression, with each factor centred as below.</summary>
+        private const double Bias = 3.4;
+
+        /// <summary>What is conclusive by other means than the curves (light above the picture, or where none was expected) counts as this much evidence.</summary>
+        private const double ConclusiveEvidence = 4;
 
         /// <param name="c">The candidate, judged.</param>
         /// <param name="awayShare">Distance from the picture's centre through that of its corners, 0…1.</param>
         public static ConfidenceFactors Of(in Candidate c, double awayShare)
         {
-            // How high and how vividly it rose; how it stands out, in shape and colour; where it is; how it agrees with its surroundings.
-            double peak = 5.4 * (c.PeakRelativeRise / 255.0 - 0.8) + 0.6 * (Math.Min(3, c.Vividness) - 1.5);
-            double contrast = 4 * (Math.Abs(c.GreenCoherence) - 0.7) - 58 * Math.Min(0.2, c.RingShare) - 13.7 * Math.Min(0.6, c.RingLevel) + 2 * (c.Compactness - 0.9);
-            double center = 3.9 * (0.45 - Math.Min(1, awayShare));
-            double elongation = c.ShortSigma > 0 ? c.LongSigma / c.ShortSigma : 1;
-            double stability = (c.IsConclusive ? 4.6 : 0) - 14.9 * Math.Min(0.4, c.MotionShare) - Math.Min(3, elongation - 1);
+            // How high it rose; how it stands out, in colour and against its ring; where it is; what all measures together say, and how still its surroundings are.
+            double evidence = c.IsConclusive ? Math.Max(c.LogOdds, ConclusiveEvidence) : c.LogOdds;
+            double peak = 5.4 * (c.PeakRelativeRise / 255.0 - 0.8);
+            double contrast = 3.9 * (Math.Abs(c.GreenCoherence) - 0.7) - 2.2 * Math.Min(0.6, c.RingLevel);
+            double center = 0.45 - Math.Min(1, awayShare);
+            double stability = 1.28 * Math.Max(-4, Math.Min(8, evidence)) - 12 * Math.Min(0.4, c.MotionShare);
             return Share(Bias + peak + contrast + center + stability, peak, contrast, center, stability);
         }
 

@@ -14,14 +14,10 @@ namespace LaserTracking.Detection
                 var candidate = new Candidate
                 {
                     PeakRelativeRise = random.Next(256),
-                    Vividness = 4 * random.NextDouble() - 1,
+                    LogOdds = 20 * random.NextDouble() - 10,
                     GreenCoherence = 2 * random.NextDouble() - 1,
-                    RingShare = random.NextDouble(),
                     RingLevel = random.NextDouble(),
-                    Compactness = random.NextDouble(),
                     MotionShare = random.NextDouble(),
-                    LongSigma = 1 + 9 * random.NextDouble(),
-                    ShortSigma = 1,
                     IsConclusive = random.Next(2) == 0,
                 };
                 ConfidenceFactors factors = ConfidenceModel.Of(candidate, random.NextDouble());
