@@ -116,7 +116,11 @@ namespace LaserTracking.Detection
                 return;
             if (!isKnown && (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, fresh, 0.5) || FailsAtEdge(view, ref candidate)))
                 return;
-            SurroundingsMeasurer.ColorRise(view, ref candidate, isKnown && candidate.IsOnset ? Math.Min(1, fresh) : 1);
+            SurroundingsMeasurer.ColorRise(view, ref candidate, isKnown && HasDoubled(candidate, known) ? Math.Min(1, fresh) : 1);
+
+            // What is asked belongs to the sighting that was weighed: how vivid a later one looks by chance asks no less.
+            if (isKnown && !IsWeighedAgain(candidate, known))
+                candidate.Vividness = known.Vividness;
             bool isProvenByLevel = IsContentKnown && excess >= ConclusiveExcess;
 
             // What the projector could show itself needs more, and twice as much where it is grey: a laser so weak would have a colour.
@@ -128,14 +132,20 @@ namespace LaserTracking.Detection
                 Begin(view, ref candidate, minLevels, conclusive);
         }
 
+        private static bool HasDoubled(in Candidate candidate, in RememberedDot known) => candidate.IsOnset && candidate.PeakRise >= 2 * known.HighestRise;
+
+        /// <summary>
+        /// Light that grows further says the same once more; what the picture may show itself grows when it comes
+        /// from behind, too: only what has become twice as bright is weighed, as if it began now.
+        /// </summary>
+        private static bool IsWeighedAgain(in Candidate candidate, in RememberedDot known) =>
+            !known.IsConclusive && candidate.IsOnset && (HasDoubled(candidate, known) || !candidate.MayBeContent);
+
         /// <summary>What still has to be said of a light that was there in the last frame.</summary>
         private void GoOn(in FrameView view, ref Candidate candidate, in RememberedDot known, bool isProvenByLevel, double conclusive)
         {
-            // Light that grows further says the same once more; what the picture may show itself grows when it comes
-            // from behind, too: only what has become twice as bright is weighed, as if it began now.
             candidate.LogOdds = known.LogOdds;
-            bool isGrown = candidate.PeakRise >= 2 * known.HighestRise;
-            if (!known.IsConclusive && candidate.IsOnset && (isGrown || !candidate.MayBeContent))
+            if (IsWeighedAgain(candidate, known))
             {
                 double before = candidate.MayBeContent ? 0 : known.LogOdds;
                 double now = Weigh(view, ref candidate, before, _settings.MinLogOdds, out int _, stackalloc float[DotEvidence.Count]);

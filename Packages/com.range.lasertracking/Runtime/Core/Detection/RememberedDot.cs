@@ -45,6 +45,9 @@ namespace LaserTracking.Detection
         /// <summary>What has spoken for it so far.</summary>
         public double LogOdds;
 
+        /// <summary>Of the sighting that <see cref="LogOdds"/> was weighed at.</summary>
+        public double Vividness;
+
         public int PeakRise;
 
         /// <summary>The largest of its frames so far.</summary>
@@ -101,6 +104,21 @@ namespace LaserTracking.Detection
                 Right = candidate.Right + margin,
                 Bottom = candidate.Bottom + margin,
             };
+        }
+
+        /// <summary>What is known of a candidate, and where its light reaches.</summary>
+        public static RememberedDot Of(in Candidate candidate)
+        {
+            RememberedDot dot = PlaceOf(candidate);
+            dot.IsConclusive = candidate.IsConclusive;
+            dot.LogOdds = candidate.LogOdds;
+            dot.Vividness = candidate.Vividness;
+            dot.PeakRise = candidate.PeakRise;
+            dot.PeakRelativeRise = candidate.PeakRelativeRise;
+            dot.Area = candidate.Area;
+            dot.Plane = candidate.Plane;
+            dot.MayBeContent = candidate.MayBeContent;
+            return dot;
         }
 
         /// <summary>The light goes on: its place was that of its first frame.</summary>

@@ -377,18 +377,11 @@ namespace LaserTracking.Detection
 
         private void Remember(in FrameView view, in Candidate candidate, in Dot dot, in RememberedDot known)
         {
-            RememberedDot remembered = RememberedDot.PlaceOf(candidate);
+            RememberedDot remembered = RememberedDot.Of(candidate);
             remembered.Frames = known.Frames + 1;
-            remembered.IsConclusive = candidate.IsConclusive;
             remembered.FirstTimeUs = remembered.LastTimeUs = _judge.TimeUs;
             remembered.Color = dot.Color;
-            remembered.LogOdds = candidate.LogOdds;
-            remembered.PeakRise = candidate.PeakRise;
-            remembered.PeakRelativeRise = candidate.PeakRelativeRise;
-            remembered.Area = candidate.Area;
-            remembered.Plane = candidate.Plane;
             remembered.PositionPx = dot.PositionPx;
-            remembered.MayBeContent = candidate.MayBeContent;
             remembered.WasAboveContent = _judge.IsClearlyAboveContent(view, candidate);
             if (known.Frames == 0)
                 remembered.RememberPlace(view, candidate);
