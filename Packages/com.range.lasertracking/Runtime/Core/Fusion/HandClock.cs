@@ -23,7 +23,8 @@ namespace LaserTracking.Fusion
 
         /// <summary>Offsets beyond the first are that much less likely beforehand: no camera that is set up keeps its pictures so long.</summary>
         private const long UsualUs = 200_000;
-        private const double FarShare = 0.001;
+        private static readonly double LogFarShare = Math.Log(0.001);
+        private const double MaxDifference = 40;
 
         /// <summary>Beforehand the clock is that much likelier as known, to within <see cref="UsualUs"/>, than at any other offset: most clocks are right.</summary>
         private const double KnownWeight = 200;
@@ -134,19 +135,26 @@ namespace LaserTracking.Fusion
         private bool TryEstimate(out double offsetUs, out double sigmaUs)
         {
             Array.Clear(_fit, 0, Steps);
-            for (int i = 0; i < _count * Steps; i++)
-                _fit[i % Steps] += _fits[i];
+            for (int shot = 0; shot < _count; shot++)
+            {
+                for (int step = 0, at = shot * Steps; step < Steps; step++)
+                    _fit[step] += _fits[at + step];
+            }
+
             double best = double.MinValue;
             for (int step = 0; step < Steps; step++)
             {
                 if (Math.Abs(OffsetAt(step)) > UsualUs)
-                    _fit[step] += Math.Log(FarShare);
+                    _fit[step] += LogFarShare;
                 best = Math.Max(best, _fit[step]);
             }
 
             double sum = 0, known = 0, first = 0, second = 0;
             for (int step = 0; step < Steps; step++)
             {
+                // Less than that of the best is nothing beside it.
+                if (_fit[step] < best - MaxDifference)
+                    continue;
                 double probability = Math.Exp(_fit[step] - best), at = step * StepUs - ReachUs;
                 sum += probability;
                 first += probability * at;

@@ -84,9 +84,9 @@ namespace LaserTracking.Fusion
         /// <summary>How well a weapon's own picture agrees with a direction in screen space, 0…1; 1 where it is not seen.</summary>
         public double BearingFit(in HandObservation hand, Vector3D direction)
         {
-            Vector3D weapon = _camera.PoseInScreenMm.TransformDirection(hand.WeaponDirection);
-            if (weapon.LengthSquared == 0)
+            if (hand.WeaponDirection.LengthSquared == 0)
                 return 1;
+            Vector3D weapon = _camera.PoseInScreenMm.TransformDirection(hand.WeaponDirection);
             double errors = Vector3D.Turn(weapon, direction) / _settings.BearingSigmaRad;
             return AtLeast(Math.Exp(-0.5 * errors * errors));
         }

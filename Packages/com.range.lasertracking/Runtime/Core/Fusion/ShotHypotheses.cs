@@ -197,8 +197,8 @@ namespace LaserTracking.Fusion
                 if (!ShotHandPairing.TryPair(hand, screenM, _camera, _settings, out FusedShot pair))
                     continue;
                 Match(key, screenM, ref hand, ref pair);
-                double density = share * Turned(key, hand.Hand, pair) * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings, out double bySight, _owners.BearingFit(hand.Hand, pair.Direction))
-                    * Stillness(hand, pair);
+                double bearing = _owners.BearingFit(hand.Hand, pair.Direction);
+                double density = share * Turned(key, hand.Hand, pair, bearing) * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings, out double bySight, bearing) * Stillness(hand, pair);
                 sum += density;
                 if (density <= highest)
                     continue;
@@ -223,11 +223,12 @@ namespace LaserTracking.Fusion
         /// How much less a weapon's own picture agrees with the dot than with the line over which it is aimed, 0…1. Of somebody whose eyes are hidden that
         /// line is known to 0.2 rad, and the picture tells as much.
         /// </summary>
-        private double Turned(int key, in HandObservation hand, in FusedShot pair)
+        private double Turned(int key, in HandObservation hand, in FusedShot pair, double bearing)
         {
-            if (key < 0 || !_sights.TryReach(key, out Vector3D pivot, out _, out _))
+            // 1: agrees, or its weapon is not seen.
+            if (key < 0 || bearing >= 1 || !_sights.TryReach(key, out Vector3D pivot, out _, out _))
                 return 1;
-            return Math.Min(1, _owners.BearingFit(hand, pair.Direction) / _owners.BearingFit(hand, pair.MuzzleM - pivot));
+            return Math.Min(1, bearing / _owners.BearingFit(hand, pair.MuzzleM - pivot));
         }
 
         /// <summary>How much likelier this hand's motion is of somebody who fires than of somebody who does not: most hold still for it.</summary>

@@ -36,6 +36,9 @@ namespace LaserTracking.Fusion
         /// <summary>Share of sightings that are far worse than they say, with three times the standard deviation.</summary>
         private const double PoorShare = 0.05;
 
+        /// <summary>Half the squared error in standard deviations beyond which nothing is left of such a sighting either.</summary>
+        private const double MaxSquares = 9 * 40;
+
         private readonly Sighting[] _sightings = new Sighting[MaxSightings];
         private Vector3D _dotM;
         private double _timeSigmaUs;
@@ -124,7 +127,10 @@ namespace LaserTracking.Fusion
                 // The moment of the shot is not known to the end either: while the weapon swings that is an angle, along one axis of two.
                 double variance = variances[at] + (variances[at + 1] - variances[at]) * part + 0.5 * change.LengthSquared * late * late;
                 double squares = error.LengthSquared / (2 * variance);
-                likelihood[step] += share / (2 * Math.PI * variance) * ((1 - PoorShare) * Math.Exp(-squares) + PoorShare / 9 * Math.Exp(-squares / 9));
+                if (squares > MaxSquares)
+                    continue;
+                double poor = Math.Exp(-squares / 9), cube = poor * poor * poor;
+                likelihood[step] += share / (2 * Math.PI * variance) * ((1 - PoorShare) * (cube * cube * cube) + PoorShare / 9 * poor);
             }
         }
     }
