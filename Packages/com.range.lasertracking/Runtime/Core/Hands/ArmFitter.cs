@@ -300,7 +300,8 @@ namespace LaserTracking.Hands
                 fit.MuzzleSigmaMm = isFine ? _settings.SeenMuzzleSigmaMm : 2 * _settings.SeenMuzzleSigmaMm;
             }
 
-            if (isSeen)
+            bool isCovered = isSeen && WeaponTip.IsCovered(grid, hasAim ? aim : axis, end);
+            if (isSeen && !isCovered)
             {
                 fit.MuzzleMm = end;
                 fit.HasWeapon = true;
@@ -316,7 +317,7 @@ namespace LaserTracking.Hands
             double beyond = _settings.MuzzleBeyondPalmMm;
             hasAim &= Vector3D.Dot(aim, _upright.Away) < 0;
             fit.MuzzleMm = hasAim ? fit.PalmMm + aim * beyond + BoreAboveGrip(aim) : fit.PalmMm;
-            fit.MuzzleSigmaMm = Math.Sqrt(Square(_settings.MuzzleSigmaMm) + Square(beyond * (hasAim ? aimSigma : 1)));
+            fit.MuzzleSigmaMm = isCovered ? _settings.CutSigmaMm : Math.Sqrt(Square(_settings.MuzzleSigmaMm) + Square(beyond * (hasAim ? aimSigma : 1)));
         }
 
         /// <summary>

@@ -25,6 +25,11 @@ namespace LaserTracking.Hands
         /// <summary>From a slide's visible side to its middle.</summary>
         private const double RadiusMm = 16;
 
+        /// <summary>How far before the end something may hide the rest of a weapon, and how much nearer that is.</summary>
+        private const double CoverMm = 80;
+        private const double CoverStepMm = 8;
+        private const double NearerMm = 60;
+
         private const double BinMm = 4;
         private const int Bins = (int)((BeforeMm + BehindMm) / BinMm) + 1;
 
@@ -191,6 +196,32 @@ namespace LaserTracking.Hands
             for (int pass = 0; pass < 3; pass++)
                 axis = (middle + (ray - axis * Vector3D.Dot(ray, axis)) * RearRadiusMm).Normalized;
             return -axis;
+        }
+
+        /// <summary>
+        /// Something nearer stands before where a weapon would go on: what is seen ends there because it is hidden, as a forearm behind somebody else's body.
+        /// </summary>
+        public static bool IsCovered(DepthGrid grid, Vector3D axis, Vector3D endMm)
+        {
+            PinholeCamera view = grid.View;
+            if (!(grid.Source is Image depth))
+                return false;
+            int covered = 0, looked = 0;
+            for (double ahead = CoverStepMm; ahead <= CoverMm; ahead += CoverStepMm)
+            {
+                Vector3D at = endMm + axis * ahead;
+                if (!view.TryProject(at, out Vector2D px))
+                    continue;
+                int x = (int)Math.Round(px.X), y = (int)Math.Round(px.Y);
+                if (x < 0 || y < 0 || x >= depth.Width || y >= depth.Height)
+                    continue;
+                int z = ((ushort*)(depth.Pixels + (long)y * depth.Stride))[x];
+                looked++;
+                if (z > 0 && z < at.Z - NearerMm)
+                    covered++;
+            }
+
+            return 3 * covered > looked;
         }
 
         /// <param name="rayX">x/z of the pixel's ray.</param>
