@@ -24,6 +24,8 @@ namespace LaserTracking.Fusion
         /// <summary>Offsets beyond the first are that much less likely beforehand: no camera that is set up keeps its pictures so long.</summary>
         private const long UsualUs = 200_000;
         private static readonly double LogFarShare = Math.Log(0.001);
+
+        /// <summary>Logarithm: what is less likely than the best by more is nothing beside it in a double's sixteen digits.</summary>
         private const double MaxDifference = 40;
 
         /// <summary>Beforehand the clock is that much likelier as known, to within <see cref="UsualUs"/>, than at any other offset: most clocks are right.</summary>

@@ -129,6 +129,8 @@ namespace LaserTracking.Fusion
                 double squares = error.LengthSquared / (2 * variance);
                 if (squares > MaxSquares)
                     continue;
+
+                // The ninth power of the poor one's exponential is the good one's.
                 double poor = Math.Exp(-squares / 9), cube = poor * poor * poor;
                 likelihood[step] += share / (2 * Math.PI * variance) * ((1 - PoorShare) * (cube * cube * cube) + PoorShare / 9 * poor);
             }

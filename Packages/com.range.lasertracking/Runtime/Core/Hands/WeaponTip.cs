@@ -73,9 +73,9 @@ namespace LaserTracking.Hands
             int top = Math.Max(0, cy - reach), bottom = Math.Min(depth.Height - 1, cy + reach);
             double* raysX = stackalloc double[2 * MaxReachPx + 1], raysY = stackalloc double[2 * MaxReachPx + 1];
             for (int x = left; x <= right; x++)
-                raysX[x - left] = (x - view.CenterXPx) / view.FocalXPx;
+                raysX[x - left] = view.Unproject(x, 0, 1).X;
             for (int y = top; y <= bottom; y++)
-                raysY[y - top] = (y - view.CenterYPx) / view.FocalYPx;
+                raysY[y - top] = view.Unproject(0, y, 1).Y;
             int* bins = stackalloc int[Bins];
             for (int i = 0; i < Bins; i++)
                 bins[i] = 0;

@@ -135,6 +135,8 @@ namespace LaserTracking.Detection
                 return;
             }
 
+
+            // Three places of twelve bits out of one word: its upper bits, its middle ones, and those that a multiplication mixes.
             uint random = Next(ref _random);
             int blue = Clip(_light[i] + Noise(random >> 20)), green = Clip(_light[i + 1] + Noise(random >> 8 & 4095)), red = Clip(_light[i + 2] + Noise(random * 2654435769 >> 20));
             if (image.Format == PixelFormat.Bgra32)
