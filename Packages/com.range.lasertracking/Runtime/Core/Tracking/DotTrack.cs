@@ -17,6 +17,10 @@ namespace LaserTracking.Tracking
         public long FirstIntervalUs;
 
         public Vector2D LastPx;
+        public Covariance2D LastShapePx;
+
+        /// <summary>Of the last step; zero while only one dot has been seen, unless another light went out as this one began.</summary>
+        public Vector2D VelocityPxPerUs;
         public int LastFrame;
         public long LastTimeUs;
 

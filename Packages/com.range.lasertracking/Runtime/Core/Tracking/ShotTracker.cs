@@ -143,10 +143,10 @@ namespace LaserTracking.Tracking
         {
             ReadOnlySpan<Dot> dots = detections.Dots;
             Array.Clear(_taken, 0, _taken.Length);
-            double radius = _settings.LinkRadiusPx * _scale;
+            var path = new LightPath(_settings.LinkRadiusPx, _scale);
             while (true)
             {
-                double best = radius * radius;
+                double best = double.PositiveInfinity;
                 int bestDot = -1, bestTrack = -1;
                 for (int t = 0; t < _trackCount; t++)
                 {
@@ -154,8 +154,9 @@ namespace LaserTracking.Tracking
                         continue;
                     for (int d = 0; d < dots.Length && d < MaxTracks; d++)
                     {
-                        double distance = (dots[d].PositionPx - _tracks[t].LastPx).LengthSquared;
-                        if (!_taken[d] && (distance < best || (bestDot < 0 && distance <= best)))
+                        double distance = _taken[d] ? double.PositiveInfinity
+                            : path.DistancePx(_tracks[t], dots[d], detections.FrameIndex, detections.TimeUs, IsHeld(_tracks[t]));
+                        if (distance < best)
                         {
                             best = distance;
                             bestDot = d;
@@ -183,7 +184,10 @@ namespace LaserTracking.Tracking
             {
                 if (track.IsReported && dot.IsOnset && detections.FrameIndex - track.LastFrame >= 2)
                     Reject(dot.PositionPx, RejectionReason.Duplicate, (dot.PositionPx - track.LastPx).Length, _settings.LinkRadiusPx);
+                if (detections.TimeUs > track.LastTimeUs)
+                    track.VelocityPxPerUs = (dot.PositionPx - track.LastPx) * (1.0 / (detections.TimeUs - track.LastTimeUs));
                 track.LastPx = dot.PositionPx;
+                track.LastShapePx = dot.ShapePx;
                 track.LastFrame = detections.FrameIndex;
                 track.LastTimeUs = detections.TimeUs;
                 track.Count++;
@@ -215,14 +219,33 @@ namespace LaserTracking.Tracking
                 return;
             }
 
+            Vector2D velocity = VelocityFromLost(dot, detections);
             ref DotTrack track = ref _tracks[_trackCount++];
             track = NewTrack(dot, detections, laser);
+            track.VelocityPxPerUs = velocity;
             track.IsSeen = true;
             if (!dot.IsConclusive)
                 return;
             Report(ref track, detections.FrameIndex);
             if (_dotCount < MaxTracks)
                 _dots[_dotCount++] = new TrackedDot(track.Id, dot);
+        }
+
+        /// <summary>Should this be the light that went out as it began, farther than one flash tells, the next frame will show it as far again.</summary>
+        private Vector2D VelocityFromLost(in Dot dot, Detections detections)
+        {
+            Vector2D nearest = default;
+            double best = LightPath.MaxWayPx * _scale;
+            for (int i = 0; i < _trackCount; i++)
+            {
+                Vector2D step = dot.PositionPx - _tracks[i].LastPx;
+                if (_tracks[i].IsSeen || _tracks[i].LastFrame != _previousFrame || detections.TimeUs <= _tracks[i].LastTimeUs || step.Length > best)
+                    continue;
+                best = step.Length;
+                nearest = step * (1.0 / (detections.TimeUs - _tracks[i].LastTimeUs));
+            }
+
+            return nearest;
         }
 
         private DotTrack NewTrack(in Dot dot, Detections detections, int id) => new DotTrack
@@ -233,6 +256,7 @@ namespace LaserTracking.Tracking
             FirstTimeUs = _origin.RowTimeUs(detections, dot),
             FirstIntervalUs = _intervalUs,
             LastPx = dot.PositionPx,
+            LastShapePx = dot.ShapePx,
             LastFrame = detections.FrameIndex,
             LastTimeUs = detections.TimeUs,
             Count = 1,

@@ -6,7 +6,7 @@ namespace LaserTracking.Tracking
     /// <summary>How dots become shots. Times in microseconds, lengths in pixels of a picture 640 wide (scaled to the real one).</summary>
     public sealed class ShotTrackerSettings
     {
-        /// <summary>A dot continues a track when it lies within this of the track's last dot, px at 640, 1…640.</summary>
+        /// <summary>A dot continues a track when it lies within this of where that was or was going, px at 640, 1…640; what smears may go farther.</summary>
         public double LinkRadiusPx { get; set; } = 40;
 
         /// <summary>A track that shows no dot for longer is over, µs, 0…10 s. Two frames are allowed at any frame rate.</summary>

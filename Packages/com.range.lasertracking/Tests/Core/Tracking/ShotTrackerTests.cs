@@ -151,6 +151,65 @@ namespace LaserTracking.Tracking
             }
         }
 
+        [TestCase(15)]
+        [TestCase(30)]
+        public void Process_LaserHeldOnAndSwungAcrossThePicture_IsOneShot(int framesPerSecond)
+        {
+            _intervalUs = 1_000_000 / framesPerSecond;
+            Frame(0);
+            int shots = 0;
+            for (int frame = 1; frame < 3 * framesPerSecond; frame++)
+            {
+                // Swings of 280 px to either side in 0.7 s: 2500 px a second in the middle, half of which each frame smears.
+                double Place(double at) => 320 + 280 * Math.Sin(2 * Math.PI * (at - 1) / framesPerSecond / 0.7);
+                double way = (Place(frame + 0.25) - Place(frame - 0.25)) * 30 / framesPerSecond;
+                Frame(frame, Smeared(Place(frame), 100, way));
+                shots += _tracker.Shots.Length;
+            }
+
+            Assert.That(shots, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Process_LaserSwungTooFastForAnySmear_IsNoNewShotOnceItsWayIsKnown()
+        {
+            Frame(0);
+            int shots = 0;
+            for (int frame = 1; frame < 11; frame++)
+            {
+                Frame(frame, Dot(50 * frame, 100 + frame * frame / 2, true));
+                shots += _tracker.Shots.Length;
+            }
+
+            Assert.That(shots, Is.EqualTo(2), "the first and the second place might be those of two lasers");
+        }
+
+        [TestCase(LaserColor.Green, LaserColor.Red, 2)]
+        [TestCase(LaserColor.Green, LaserColor.Unknown, 1)]
+        [TestCase(LaserColor.Green, LaserColor.Green, 1)]
+        public void Process_FlashNearAnotherInTheNextFrame_IsAShotOfItsOwnIfItsColorIsAnother(LaserColor first, LaserColor second, int shots)
+        {
+            Dot before = Dot(100, 100, true), after = Dot(120, 100, true);
+            before.Color = first;
+            after.Color = second;
+            Frame(0);
+            Frame(1, before);
+            Frame(2, after);
+            Assert.That(_tracker.Shots.Length, Is.EqualTo(shots - 1));
+        }
+
+        [TestCase(8, 0)]
+        [TestCase(20, 1)]
+        public void Process_LightThatBeginsAfterADarkFrame_IsAShotOfItsOwnUnlessAtTheSameSpot(double apartPx, int shots)
+        {
+            _intervalUs = 16_667;
+            Frame(0);
+            Frame(1, Dot(100, 100, true));
+            Frame(2);
+            Frame(3, Dot(100 + apartPx, 100, true));
+            Assert.That(_tracker.Shots.Length, Is.EqualTo(shots));
+        }
+
         [TestCase(7, 5, true)]
         [TestCase(30, 10, true)]
         [TestCase(30, 11, false)]
@@ -198,6 +257,14 @@ namespace LaserTracking.Tracking
 
         private static Dot Dot(double x, double y, bool conclusive, bool onset = true) =>
             new Dot { PositionPx = new Vector2D(x, y), IsConclusive = conclusive, IsOnset = onset };
+
+        /// <summary>Of a round dot of 2 px that moved along x while the shutter was open.</summary>
+        private static Dot Smeared(double x, double y, double wayPx)
+        {
+            Dot dot = Dot(x, y, true);
+            dot.ShapePx = new Covariance2D(4 + wayPx * wayPx / 12, 0, 4);
+            return dot;
+        }
 
         private void Begin(int index)
         {
