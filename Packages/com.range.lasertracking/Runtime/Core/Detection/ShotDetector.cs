@@ -125,13 +125,7 @@ namespace LaserTracking.Detection
                 _change.Measure(image, rawNoise);
             _content.Scale(_change.Gain);
             _planes.Update(image, _change, Decay(), _isSmooth, _settings.UseVectors);
-            if (_planes.FrameCount == 2)
-            {
-                _planes.SmallestTiles.LearnAtOnce();
-                _planes.LargestTiles.LearnAtOnce();
-            }
-
-            if (_planes.FrameCount < 3)
+            if (_planes.FrameCount < 2)
                 return;
             fixed (uint* now = _planes.Now, before = _planes.Before)
             fixed (byte* oldMin = _planes.OldSmallest, newMin = _planes.NewSmallest, oldMax = _planes.OldLargest, newMax = _planes.NewLargest)
@@ -188,8 +182,16 @@ namespace LaserTracking.Detection
                 detections.BlindShare = _expected!.BlindShare();
             _memory.ReportTraces(view, Noise, detections);
             _memory.Protect(view, _planes.SmallestTiles, _planes.LargestTiles);
-            _planes.SmallestTiles.Learn();
-            _planes.LargestTiles.Learn();
+            if (_planes.FrameCount == 2)
+            {
+                _planes.SmallestTiles.LearnAtOnce();
+                _planes.LargestTiles.LearnAtOnce();
+            }
+            else
+            {
+                _planes.SmallestTiles.Learn();
+                _planes.LargestTiles.Learn();
+            }
         }
 
         private void SearchPlane(Image image, in FrameView view, DetectionPlane plane, TileGrid tiles, int floor, Detections detections)

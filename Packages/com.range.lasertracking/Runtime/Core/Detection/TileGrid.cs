@@ -138,11 +138,14 @@ namespace LaserTracking.Detection
             }
         }
 
-        /// <summary>Takes this frame's onsets for the ordinary: the first look at what the picture does by itself.</summary>
+        /// <summary>Takes this frame's onsets for the ordinary, but for those of dots: the first look at what the picture does by itself.</summary>
         public void LearnAtOnce()
         {
             for (int i = 0; i < _onsets.Length; i++)
-                _activity[i] = _onsets[i];
+            {
+                _activity[i] = _isExempt[i] ? 0 : _onsets[i];
+                _isExempt[i] = false;
+            }
         }
 
         /// <summary>Lets the activity follow this frame's onsets.</summary>

@@ -32,6 +32,20 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        public void Process_DotInTheSecondFrameOfAll_IsAShot()
+        {
+            var run = new DetectionRun();
+            run.Play(0, 5, (picture, i) =>
+            {
+                picture.Wall(40, 40, 40);
+                if (i == 1)
+                    picture.GreenDot(100, 80);
+            });
+            Assert.That(run.Shots.Count, Is.EqualTo(1));
+            Assert.That(run.Shots[0].FirstFrameIndex, Is.EqualTo(1));
+        }
+
+        [Test]
         public void Process_RedDot_IsRed()
         {
             var run = new DetectionRun();
