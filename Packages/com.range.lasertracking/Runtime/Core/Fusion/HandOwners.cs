@@ -77,6 +77,9 @@ namespace LaserTracking.Fusion
         /// <summary>Probability that the hand with which a column would fire is among those seen just then.</summary>
         public double Visible(int column) => _visible[column];
 
+        /// <summary>Whether a hand's weapon is seen just then.</summary>
+        public bool IsWeaponSeen(int hand) => _isWeaponSeen[hand];
+
         /// <summary>Probability that a hand is the one with which this column fires.</summary>
         public double Share(int column, int hand) =>
             _owned[column * _settings.MaxHands + hand] * (_isWeaponSeen[hand] ? 1 : 1 - _weapons[column]);

@@ -28,12 +28,15 @@ namespace LaserTracking.Fusion
         private readonly SightLines _sights;
         private readonly ShotMemory _memory;
         private readonly HandOwners _owners;
+        private readonly SeenDepths _depths = new SeenDepths();
+        private readonly WeaponPlace _places;
         private readonly PairedHand[] _hands;
         private readonly int[] _keys;
         private readonly double[] _weights;
         private readonly FusedShot[] _pairs;
         private readonly double[] _sightShares;
         private int _handCount;
+        private SeenDepth? _depth;
 
         /// <summary>For when the hands were gathered last; shots of one frame share it.</summary>
         private long? _gatheredUs;
@@ -53,6 +56,7 @@ namespace LaserTracking.Fusion
             _pairs = new FusedShot[_weights.Length];
             _sightShares = new double[_weights.Length];
             _owners = new HandOwners(camera, settings, _sights);
+            _places = new WeaponPlace(camera, _sights);
         }
 
         public HandHistory History => _history;
@@ -75,12 +79,14 @@ namespace LaserTracking.Fusion
             _sights.Clear();
             _memory.Clear();
             Clock.Clear();
+            _depths.Clear();
         }
 
         public void Add(HandObservations hands)
         {
             long timeUs = hands.TimeUs - Clock.OffsetUs;
             _history.Add(hands, timeUs);
+            _depths.Add(hands);
             foreach (ref readonly PersonObservation person in hands.People)
                 _sights.See(person, _camera, timeUs);
             _memory.Refresh(_history, timeUs);
@@ -170,6 +176,7 @@ namespace LaserTracking.Fusion
             _handCount = _history.At(timeUs, _settings.WindowUs, _settings.MaxInterpolationUs, _hands);
             for (int i = 0; i < _handCount; i++)
                 CarryOn(ref _hands[i], timeUs);
+            _depth = _depths.At(timeUs + Clock.OffsetUs, LearnUs);
         }
 
         private void AddColumn(int key)
@@ -187,6 +194,7 @@ namespace LaserTracking.Fusion
             best = default;
             sightShare = 0;
             double sum = 0, highest = 0, shares = 0;
+            double place = key > 0 && _depth != null ? _places.Factor(key, new Vector3D(screenM.X, screenM.Y, 0), _depth) : 1;
             for (int i = 0; i < _handCount; i++)
             {
                 double share = _owners.Share(column, i);
@@ -199,6 +207,8 @@ namespace LaserTracking.Fusion
                 Match(key, screenM, ref hand, ref pair);
                 double bearing = _owners.BearingFit(hand.Hand, pair.Direction);
                 double density = share * Turned(key, hand.Hand, pair, bearing) * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings, out double bySight, bearing) * Stillness(hand, pair);
+                if (!_owners.IsWeaponSeen(i))
+                    density *= place;
                 sum += density;
                 if (density <= highest)
                     continue;
@@ -211,7 +221,7 @@ namespace LaserTracking.Fusion
             if (key < 0)
                 return seen;
             double hidden = HiddenShare(key, screenM, _owners.Visible(column));
-            double unseen = hidden / _settings.ScreenAreaM2;
+            double unseen = hidden * place / _settings.ScreenAreaM2;
             double total = (1 - hidden) * seen + unseen;
             sightShare *= (1 - hidden) * highest / Math.Max(1, shares) / total;
             if (unseen > (1 - hidden) * highest)

@@ -70,6 +70,7 @@ namespace LaserTracking.Hands
             if (!usable)
                 return;
             _grid.Fill(depth);
+            observations.Depth.Fill(_grid);
             _segmenter.Segment(_grid);
             FindPeople(depth.TimeUs);
             int count = 0;

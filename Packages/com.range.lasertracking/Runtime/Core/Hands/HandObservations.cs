@@ -16,6 +16,9 @@ namespace LaserTracking.Hands
             _people = new PersonObservation[capacity];
         }
 
+        /// <summary>How far camera 1 saw in this frame; not present where the tracker keeps no depth.</summary>
+        public SeenDepth Depth { get; } = new SeenDepth();
+
         public int FrameIndex { get; private set; }
 
         /// <summary>Mid-exposure of the depth picture, microseconds on camera 1's clock.</summary>
@@ -32,6 +35,7 @@ namespace LaserTracking.Hands
             TimeUs = timeUs;
             _count = 0;
             _peopleCount = 0;
+            Depth.Clear();
         }
 
         /// <summary>False when there is no room left.</summary>

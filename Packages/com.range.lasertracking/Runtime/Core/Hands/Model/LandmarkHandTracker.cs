@@ -49,6 +49,7 @@ namespace LaserTracking.Hands.Model
         {
             _depthTracker.Process(frame, _depthHands);
             observations.Begin(_depthHands.FrameIndex, _depthHands.TimeUs);
+            observations.Depth.CopyFrom(_depthHands.Depth);
             foreach (LandmarkTrack track in _tracks)
                 track.IsInFrame = false;
             Image? picture = PictureOf(frame);
