@@ -112,6 +112,12 @@ namespace LaserTracking.Fusion
         /// </summary>
         public double RivalWeight { get; set; } = 1.5;
 
+        /// <summary>
+        /// The same of others whose weapon is not seen: <see cref="HiddenShare"/> is what it is where few are hidden, near 1 where somebody stands before others, and
+        /// what speaks against a name counts as much as it may. Its inverse.
+        /// </summary>
+        public double HiddenRivalWeight { get; set; } = 3;
+
         /// <summary>Below this probability the shooter is unknown.</summary>
         public double MinProbability { get; set; } = 0.9;
 
@@ -150,7 +156,7 @@ namespace LaserTracking.Fusion
             Check(ViewMargin >= 0 && ViewMargin < 0.5 && ReachM > 0 && ReachSigmaM > 0 && ReachSpreadM > 0 && BearingSigmaRad > 0 && SecondWeaponShare >= 0 && SecondWeaponShare <= 1 && NeighbourShare >= 0 && NeighbourShare <= 1, "ViewMargin 0…0.5, lengths and BearingSigmaRad above zero, SecondWeaponShare and NeighbourShare 0…1");
             Check(ScreenAreaM2 > 0, "ScreenAreaM2 above zero");
             Check(ColorKeptProbability > 0.25 && ColorKeptProbability < 1, "ColorKeptProbability between 0.25 and 1");
-            Check(RivalWeight > 0, "RivalWeight above zero");
+            Check(RivalWeight > 0 && HiddenRivalWeight > 0, "RivalWeight and HiddenRivalWeight above zero");
             Check(MinProbability >= 0 && MinProbability <= 1, "MinProbability 0…1");
             Check(MaxShots >= 1 && MaxShots <= 64 && MaxHands >= 1 && MaxHands <= 64, "MaxShots and MaxHands 1…64");
             Check(HistoryLength >= 16 && HistoryLength <= 1 << 20, "HistoryLength 16…1048576");

@@ -211,7 +211,7 @@ namespace LaserTracking.Fusion
                 if (k == column || (shooter != 0 && _shooters[row + k] == shooter))
                     mine += part;
                 else
-                    rivals += part * (_hypotheses.Pairs[row + k].HasMuzzle && _hypotheses.Pairs[row + k].SightErrorRad < RivalRad ? _settings.RivalWeight : 1);
+                    rivals += part * RivalWeight(_hypotheses.Pairs[row + k]);
             }
 
             double probability = _hypotheses.Clock.KnownProbability * mine / (mine + rivals + Math.Max(0, 1 - all));
@@ -224,5 +224,8 @@ namespace LaserTracking.Fusion
             fused.ShooterProbability = Math.Min(1, probability);
             return fused;
         }
+
+        private double RivalWeight(in FusedShot pair) =>
+            !pair.HasMuzzle ? _settings.HiddenRivalWeight : pair.SightErrorRad < RivalRad ? _settings.RivalWeight : 1;
     }
 }

@@ -207,8 +207,10 @@ namespace LaserTracking.Fusion
                 Match(key, screenM, ref hand, ref pair);
                 double bearing = _owners.BearingFit(hand.Hand, pair.Direction);
                 double density = share * Turned(key, hand.Hand, pair, bearing) * ShotHandPairing.ScreenDensity(hand, pair, screenM, _settings, out double bySight, bearing) * Stillness(hand, pair);
+
+                // A hand at that place fills it itself: it speaks for its owner once.
                 if (!_owners.IsWeaponSeen(i))
-                    density *= place;
+                    density *= Math.Min(1, place);
                 sum += density;
                 if (density <= highest)
                     continue;

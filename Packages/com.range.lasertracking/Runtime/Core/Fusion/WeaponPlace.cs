@@ -6,8 +6,8 @@ namespace LaserTracking.Fusion
 {
     /// <summary>
     /// Where somebody's weapon would be if a dot were theirs is known from their line and their reach, and camera 1's picture shows whether something is
-    /// there. Of a weapon that the tracker has not found it is hidden behind something, or shown and overlooked; where the picture goes on behind
-    /// that place, there is none.
+    /// there. A weapon that the tracker has not found is hidden behind something, or shown and overlooked; where the picture goes on behind
+    /// that place, there is none. Bounded, without allocation.
     /// </summary>
     internal sealed class WeaponPlace
     {
@@ -39,15 +39,19 @@ namespace LaserTracking.Fusion
         /// <summary>How far beside its place a weapon still fills it.</summary>
         private const double BesideM = 0.035;
 
-        /// <summary>Probability that the tracker overlooks a weapon that is shown.</summary>
+        /// <summary>Probability that the tracker overlooks a weapon that is shown. With it 68 % of those not found are filled places with four shooters, 7 to 12 behind somebody, as seen.</summary>
         private const double OverlookedShare = 0.05;
 
         /// <summary>Probability of a free place although a weapon is there: somebody stepped aside, a clock is off.</summary>
         private const double WrongShare = 0.02;
 
-        /// <summary>Other dots, to tell how much of what somebody may aim at lies behind something: so far from this one, metres, in so many columns and rows.</summary>
-        private const double ElsewhereM = 0.45;
-        private const int Columns = 3;
+        /// <summary>
+        /// Other dots, to tell how much of what somebody may aim at lies behind something: columns and rows so far apart, metres, on either side. Over an arm's
+        /// length the next one is 0.25 m off: where the arm that aims at this one hardly is.
+        /// </summary>
+        private const double AsideM = 0.9;
+        private const double AboveM = 0.6;
+        private const int Columns = 2;
         private const int Rows = 1;
 
         private readonly HandCamera _camera;
@@ -85,9 +89,9 @@ namespace LaserTracking.Fusion
             {
                 for (int column = -Columns; column <= Columns; column++)
                 {
-                    if (row == 0 && column == 0)
+                    if (column == 0)
                         continue;
-                    Sight sight = Look(depth, pivot, dotM + new Vector3D(column * ElsewhereM, row * ElsewhereM, 0), reach);
+                    Sight sight = Look(depth, pivot, dotM + new Vector3D(column * AsideM, row * AboveM, 0), reach);
                     all++;
                     near += sight == Sight.Covered ? 1 : 0;
                     at += sight == Sight.Filled ? 1 : 0;
