@@ -113,7 +113,7 @@ namespace LaserTracking.Fusion
         public double RivalWeight { get; set; } = 1.5;
 
         /// <summary>
-        /// The same of others whose weapon is not seen: <see cref="HiddenShare"/> is what it is where few are hidden, near 1 where somebody stands before others, and
+        /// The same of others whose weapon camera 1's picture of just then does not show: <see cref="HiddenShare"/> is what it is where few are hidden, near 1 where somebody stands before others, and
         /// what speaks against a name counts as much as it may. Its inverse.
         /// </summary>
         public double HiddenRivalWeight { get; set; } = 3;

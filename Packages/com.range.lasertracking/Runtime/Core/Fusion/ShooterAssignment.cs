@@ -226,6 +226,6 @@ namespace LaserTracking.Fusion
         }
 
         private double RivalWeight(in FusedShot pair) =>
-            !pair.HasMuzzle ? _settings.HiddenRivalWeight : pair.SightErrorRad < RivalRad ? _settings.RivalWeight : 1;
+            !pair.HasMuzzle && _hypotheses.HasPicture ? _settings.HiddenRivalWeight : pair.HasMuzzle && pair.SightErrorRad < RivalRad ? _settings.RivalWeight : 1;
     }
 }

@@ -19,6 +19,9 @@ namespace LaserTracking.Fusion
         private const double MovingDotPx = 1.5;
         private const long LearnUs = 60_000;
 
+        /// <summary>A picture farther off in time does not show where weapons are: as of <see cref="HandOwners"/>.</summary>
+        private const long PictureUs = 50_000;
+
         /// <summary>Less likely hypotheses are not remembered.</summary>
         private const double MinRemembered = 0.01;
 
@@ -63,6 +66,9 @@ namespace LaserTracking.Fusion
 
         public HandClock Clock { get; }
 
+        /// <summary>Whether camera 1's picture of just then is known: what it does not show is hidden, not merely long unseen.</summary>
+        public bool HasPicture => _depth != null;
+
         public int Columns { get; private set; }
 
         /// <summary>Row by row, <see cref="FusionSettings.MaxHands"/> wide.</summary>
@@ -102,6 +108,7 @@ namespace LaserTracking.Fusion
         {
             Columns = 0;
             _gatheredUs = null;
+            _depth = null;
         }
 
         /// <summary>Adds the columns that a shot needs; call for all shots of a frame before weighing any.</summary>
@@ -176,7 +183,7 @@ namespace LaserTracking.Fusion
             _handCount = _history.At(timeUs, _settings.WindowUs, _settings.MaxInterpolationUs, _hands);
             for (int i = 0; i < _handCount; i++)
                 CarryOn(ref _hands[i], timeUs);
-            _depth = _depths.At(timeUs + Clock.OffsetUs, LearnUs);
+            _depth = _depths.At(timeUs + Clock.OffsetUs, PictureUs);
         }
 
         private void AddColumn(int key)

@@ -82,6 +82,26 @@ namespace LaserTracking.Fusion
             }), Is.Zero);
         }
 
+        [TestCase(true, 1, ExpectedResult = true)]
+        [TestCase(true, 3, ExpectedResult = false)]
+        [TestCase(false, 3, ExpectedResult = true)]
+        public bool Fuse_BesideALineHardlyKnown_IsUnknownWhereAPictureDoesNotShowSomebodysWeapon(bool hasPicture, double hiddenRivalWeight)
+        {
+            // Aimed 0.33 m beside the dot over eyes known to 60 mm; everything else is covered.
+            var assignment = new ShooterAssignment(Camera, new FusionSettings { HiddenRivalWeight = hiddenRivalWeight });
+            Vector3D eyes = Eyes - new Vector3D(1, 0, 0), pivot = eyes + new Vector3D(0, new FusionSettings().SightHeightM, 0);
+            Vector3D muzzle = pivot + (Dot + new Vector3D(0.33, 0, 0) - pivot).Normalized * 0.75;
+            var hands = new HandObservations();
+            hands.Begin(0, 0);
+            if (hasPicture)
+                hands.Depth.CopyFrom(Seen(new SolidScene { WallMm = 900 }));
+            hands.Add(Person(1, eyes, 60));
+            hands.Add(Person(2, Eyes, 60));
+            hands.Add(new HandObservation { TrackId = 1, PersonId = 1, MuzzleMm = Camera.ToCameraMm(muzzle), MuzzleSigmaMm = 5, SigmaMm = 12 });
+            assignment.AddHands(hands);
+            return assignment.Fuse(default, new Vector2D(Dot.X, Dot.Y)).Shooter > 0;
+        }
+
         [Test]
         public void At_SeveralPictures_IsTheNearestInTimeOrNone()
         {
