@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using LaserTracking.Geometry;
 using LaserTracking.Hands;
 
@@ -101,6 +102,7 @@ namespace LaserTracking.Fusion
         }
 
         /// <summary>Normal in the two small angles beside a direction, per steradian.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static double Density(double angleRad, double variance) =>
             Math.Exp(-angleRad * angleRad / (2 * variance)) / (2 * Math.PI * variance);
     }

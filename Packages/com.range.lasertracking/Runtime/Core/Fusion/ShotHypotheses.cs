@@ -275,7 +275,7 @@ namespace LaserTracking.Fusion
             if (!_sights.TryEyes(personId, out Vector3D eyes))
                 return _settings.HiddenShare;
             Vector3D towards = (new Vector3D(screenM.X, screenM.Y, 0) - eyes).Normalized;
-            if (!_sights.TryPivot(personId, towards, out Vector3D pivot, out _, out double reach))
+            if (!_sights.TryReach(personId, out Vector3D pivot, out double reach, out _))
                 return _settings.HiddenShare;
             Vector3D hand = _camera.ToCameraMm(pivot + towards * reach);
             PinholeCamera view = _camera.Intrinsics;

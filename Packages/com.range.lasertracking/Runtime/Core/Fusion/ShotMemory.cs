@@ -69,6 +69,11 @@ namespace LaserTracking.Fusion
         private readonly Remembered[] _shots = new Remembered[Capacity];
         private readonly Line[] _lines = new Line[Capacity * LinesEach];
         private readonly PairedHand[] _hands;
+
+        /// <summary>Those of one moment: shots of one frame ripen together.</summary>
+        private readonly PairedHand[] _gathered;
+        private int _gatheredCount;
+        private long? _gatheredUs;
         private int _count;
         private int _start;
         private int _next;
@@ -80,6 +85,7 @@ namespace LaserTracking.Fusion
             _settings = settings;
             _sights = sights;
             _hands = new PairedHand[settings.MaxHands];
+            _gathered = new PairedHand[settings.MaxHands];
         }
 
         public void Clear()
@@ -181,6 +187,7 @@ namespace LaserTracking.Fusion
         /// <summary>Weighs some shots again, those first whose hands are known better by now.</summary>
         public void Refresh(HandHistory history, long nowUs)
         {
+            _gatheredUs = null;
             for (int i = Math.Max(0, _count - Newest); i < _count; i++)
             {
                 int at = Place(i);
@@ -229,7 +236,11 @@ namespace LaserTracking.Fusion
         {
             ref Remembered shot = ref _shots[at];
             shot.IsRipe = true;
-            int found = history.At(shot.TimeUs, GapUs, GapUs, _hands);
+            if (shot.TimeUs != _gatheredUs)
+                _gatheredCount = history.At(shot.TimeUs, GapUs, GapUs, _gathered);
+            _gatheredUs = shot.TimeUs;
+            int found = _gatheredCount;
+            Array.Copy(_gathered, _hands, found);
             for (int i = 0; i < shot.Lines; i++)
             {
                 ref Line line = ref _lines[at * LinesEach + i];

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using LaserTracking.Geometry;
 
 namespace LaserTracking.Fusion
@@ -22,6 +23,7 @@ namespace LaserTracking.Fusion
             Weighted = (muzzleM - direction * Vector3D.Dot(muzzleM, direction)) * weight,
         };
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Add(in SightEvidence other, double share)
         {
             Diagonal += other.Diagonal * share;

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using LaserTracking.Detection;
 using LaserTracking.Geometry;
 using LaserTracking.Hands;
@@ -254,15 +255,19 @@ namespace LaserTracking.Fusion
         }
 
         /// <summary>Variance of the line of sight from the muzzle and the aim, square radians, before anything is known of the person.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private double Expected(double muzzleSigmaM, double reachM) =>
             muzzleSigmaM * muzzleSigmaM / (reachM * reachM) + _settings.SightSpreadRad * _settings.SightSpreadRad;
 
         /// <summary>Factor on that variance: the mean of what was seen and of the expectation, which counts for a few shots.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private double SpreadScale(in Entry e) => Math.Max(_settings.MinSpreadScale * _settings.MinSpreadScale,
             (_settings.SpreadShots + e.Old.SpreadSum + e.Recent.SpreadSum) / (_settings.SpreadShots + e.Old.SpreadCount + e.Recent.SpreadCount));
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static double StillShare(in Entry e) => 1 / (1 + (e.EyeM - e.LearnedAtM).LengthSquared / (MovedM * MovedM));
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private int IndexOf(int personId)
         {
             for (int i = 0; i < _count; i++)

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using LaserTracking.Geometry;
 
 namespace LaserTracking.Fusion
@@ -37,17 +38,22 @@ namespace LaserTracking.Fusion
         }
 
         /// <summary>Variance along a unit vector, m².</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly double VarianceAlong(Vector3D unit) => Form(_adjugateDiagonal, _adjugateMixed, unit) / _determinant;
 
         /// <summary>Sum of the variances along two axes at right angles to a unit vector, m².</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly double VarianceAcross(Vector3D unit) =>
             Math.Max(0, (_adjugateDiagonal.X + _adjugateDiagonal.Y + _adjugateDiagonal.Z) / _determinant - VarianceAlong(unit));
 
         /// <summary>Determinant of the covariance at right angles to a unit vector, m⁴.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly double DeterminantAcross(Vector3D unit) => Math.Max(0, Form(_diagonal, _mixed, unit) / _determinant);
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static double Form(Vector3D diagonal, Vector3D mixed, Vector3D v) => Vector3D.Dot(v, Times(diagonal, mixed, v));
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static Vector3D Times(Vector3D diagonal, Vector3D mixed, Vector3D v) => new Vector3D(
             diagonal.X * v.X + mixed.X * v.Y + mixed.Y * v.Z,
             mixed.X * v.X + diagonal.Y * v.Y + mixed.Z * v.Z,
