@@ -5,8 +5,8 @@ namespace LaserTracking.Detection
     /// <summary>Grows a candidate from its brightest pixel and measures its shape. Pixels once taken belong to no later candidate of the plane.</summary>
     internal sealed unsafe class BlobMeasurer
     {
-        private int[] _stamps = Array.Empty<int>();
-        private int[] _tested = Array.Empty<int>();
+        /// <summary>Of each pixel: minus the stamp of the plane's turn in which it was taken, or the candidate that looked at it last.</summary>
+        private int[] _marks = Array.Empty<int>();
         private int[] _stack = Array.Empty<int>();
         private int _stamp;
         private int _serial;
@@ -14,8 +14,7 @@ namespace LaserTracking.Detection
         /// <summary>Makes room for a picture of this many pixels.</summary>
         public void Resize(int pixels, int maxArea)
         {
-            _stamps = new int[pixels];
-            _tested = new int[pixels];
+            _marks = new int[pixels];
             _serial = 0;
             _stack = new int[maxArea + 1];
             _stamp = 0;
@@ -26,15 +25,14 @@ namespace LaserTracking.Detection
         {
             if (_stamp > int.MaxValue - 2 || _serial > int.MaxValue - 1_000_000)
             {
-                Array.Clear(_stamps, 0, _stamps.Length);
-                Array.Clear(_tested, 0, _tested.Length);
+                Array.Clear(_marks, 0, _marks.Length);
                 _stamp = _serial = 0;
             }
 
             _stamp++;
         }
 
-        public bool IsTaken(int index) => _stamps[index] == _stamp;
+        public bool IsTaken(int index) => _marks[index] == -_stamp;
 
         /// <summary>Fills area, box and moments. Growing stops when the area does not fit any more: Area is then the limit + 1.</summary>
         public void Grow(in FrameView view, ref Candidate candidate)
@@ -52,15 +50,14 @@ namespace LaserTracking.Detection
             int* reciprocal = view.Reciprocal;
 
             // Every pixel is looked at once a candidate, also those that turn out too low.
-            int serial = ++_serial, stamp = _stamp, seedX = candidate.SeedX, seedY = candidate.SeedY;
+            int serial = ++_serial, taken = -_stamp, seedX = candidate.SeedX, seedY = candidate.SeedY;
             int left = seedX, right = seedX, top = seedY, bottom = seedY;
             long sumX = 0, sumY = 0, sumXX = 0, sumYY = 0, sumXY = 0;
             DetectionPlane plane = candidate.Plane;
-            fixed (int* stamps = _stamps, tested = _tested, stack = _stack)
+            fixed (int* marks = _marks, stack = _stack)
             {
-                tested[seed] = serial;
                 stack[count++] = seed;
-                stamps[seed] = stamp;
+                marks[seed] = taken;
                 for (int next = 0; next < count && count <= maxArea; next++)
                 {
                     int i = stack[next];
@@ -80,15 +77,14 @@ namespace LaserTracking.Detection
                     {
                         for (int n = ny * width + x0; n <= ny * width + x1; n++)
                         {
-                            if (tested[n] == serial)
+                            int mark = marks[n];
+                            if (mark == serial || mark == taken || count > maxArea)
                                 continue;
-                            tested[n] = serial;
-                            if (stamps[n] == stamp || count > maxArea)
-                                continue;
+                            marks[n] = serial;
                             int value = isByLevel ? FrameView.Level(now[n], plane) : FrameView.RelativeRise(now[n], plane, past[n], reciprocal);
                             if (value < threshold)
                                 continue;
-                            stamps[n] = stamp;
+                            marks[n] = taken;
                             stack[count++] = n;
                         }
                     }

@@ -90,6 +90,9 @@ namespace LaserTracking.Detection
         /// <summary>Its brightest pixel exceeds anything that the projected picture has shown.</summary>
         public bool ExceedsContent;
 
+        /// <summary>The brightest pixel of the box; of candidates that are weighed.</summary>
+        public int PeakLevel;
+
         /// <summary>Brightness of the projected picture's brightest parts, levels; from it light is measured when above content.</summary>
         public int ContentLevel;
 

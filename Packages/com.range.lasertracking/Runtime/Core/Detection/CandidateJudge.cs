@@ -100,7 +100,8 @@ namespace LaserTracking.Detection
             int seed = candidate.SeedY * view.Width + candidate.SeedX;
             double fresh = view.Change(seed, candidate.Plane) / (double)candidate.PeakRise;
             candidate.IsOnset = fresh >= 0.5;
-            int excess = SurroundingsMeasurer.PeakLevel(view, candidate) - ContentLevel;
+            candidate.PeakLevel = SurroundingsMeasurer.PeakLevel(view, candidate);
+            int excess = candidate.PeakLevel - ContentLevel;
             candidate.ContentLevel = ContentLevel;
             candidate.ExceedsContent = IsContentKnown && excess >= _settings.MinContentExcess;
             candidate.MayBeContent = excess < _settings.MinContentExcess && (IsContentKnown || candidate.ActivityAround > _settings.QuietActivity);

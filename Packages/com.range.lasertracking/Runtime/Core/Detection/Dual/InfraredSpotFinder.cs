@@ -117,7 +117,7 @@ namespace LaserTracking.Detection
             for (int i = 0; i < hot; i++)
             {
                 int tile = (int)(_hot[i] & 0xFFFFFFFF);
-                if (!TryFindPeak(infrared, tile % columns * TileKernel.Size, tile / columns * TileKernel.Size, out int x, out int y) || !StandsOut(infrared, x, y, noise) || IsKnown(x, y))
+                if (!TryFindPeak(infrared, tile % columns * TileKernel.Size, tile / columns * TileKernel.Size, _tiles[tile], out int x, out int y) || !StandsOut(infrared, x, y, noise) || IsKnown(x, y))
                     continue;
                 if (Count == _settings.MaxCandidates)
                 {
@@ -143,24 +143,14 @@ namespace LaserTracking.Detection
             }
         }
 
-        /// <summary>The tile's brightest pixel; false when it only lies on the slope of a peak in another tile.</summary>
-        private static bool TryFindPeak(Image infrared, int left, int top, out int x, out int y)
+        /// <summary>The first pixel as bright as the tile's brightest; false when it only lies on the slope of a peak in another tile.</summary>
+        private static bool TryFindPeak(Image infrared, int left, int top, ushort peak, out int x, out int y)
         {
-            x = left;
             y = top;
-            int peak = -1;
-            for (int py = top; py < Math.Min(infrared.Height, top + TileKernel.Size); py++)
-            {
-                for (int px = left; px < Math.Min(infrared.Width, left + TileKernel.Size); px++)
-                {
-                    int value = At(infrared, px, py);
-                    if (value <= peak)
-                        continue;
-                    peak = value;
-                    x = px;
-                    y = py;
-                }
-            }
+            int width = Math.Min(infrared.Width - left, TileKernel.Size), offset;
+            while ((offset = new ReadOnlySpan<ushort>((ushort*)(infrared.Pixels + (long)y * infrared.Stride) + left, width).IndexOf(peak)) < 0)
+                y++;
+            x = left + offset;
 
             for (int py = Math.Max(0, y - 1); py <= Math.Min(infrared.Height - 1, y + 1); py++)
             {

@@ -33,7 +33,7 @@ namespace LaserTracking.Detection
             Set(features, DotFeature.Freshness, Math.Min(fresh, 1 + (fresh - 1) * (1 - candidate.PeakRelativeRise / 255.0)));
             Set(features, DotFeature.Vividness, candidate.Vividness);
             Set(features, DotFeature.Coherence, Math.Max(Math.Abs(candidate.GreenCoherence), NeutralCoherence * SurroundingsMeasurer.Unsaid(candidate, Math.Max(candidate.RedHeadroom, candidate.GreenHeadroom))));
-            Set(features, DotFeature.ContentExcess, (SurroundingsMeasurer.PeakLevel(view, candidate) - contentLevel) / 64.0);
+            Set(features, DotFeature.ContentExcess, (candidate.PeakLevel - contentLevel) / 64.0);
             Set(features, DotFeature.OtherRise, Math.Max(view.RelativeRise(seed, other) / 255.0, NeutralOtherRise * SurroundingsMeasurer.Unsaid(candidate, 255 - view.Envelope(seed, other))));
             Set(features, DotFeature.LogStrength, Math.Log(Math.Max(1, rise * Math.Sqrt(area))));
         }
