@@ -85,31 +85,29 @@ namespace LaserTracking.Burst
             kernels.Run(&work, bands);
         }
 
-        public static void Raise(KernelRunner kernels, Arena data, Arena scratch, Random random)
-        {
-            int count = random.Next(1, 40_000);
-            var work = new RaiseBands { Source = data.Take<uint>(count), Target = data.Take<uint>(count), Count = count, UseVectors = true };
-            kernels.Run(&work, work.BandCount);
-        }
-
         public static void Expectation(KernelRunner kernels, Arena data, Arena scratch, Random random)
         {
             int width = random.Next(5, 200), height = random.Next(1, 90), pixels = width * height;
             byte* tone = data.Take<byte>(ExpectationKernel.ToneBytes);
             for (int i = 0; i < ExpectationKernel.ToneBytes; i++)
                 tone[i] &= 15;
+            int count = random.Next(1, 5);
+            uint** pictures = stackalloc uint*[count];
+            for (int i = 0; i < count; i++)
+                pictures[i] = data.Take<uint>(pixels);
             var work = new ExpectationBands
             {
                 Width = width,
                 Height = height,
                 UseVectors = true,
                 BandCount = kernels.BandCount,
-                Brightest = data.Take<uint>(pixels),
+                PictureCount = count,
+                Pictures = pictures,
                 Screen = data.Take<uint>(pixels),
                 Tone = tone,
                 Gain = data.Take<uint>(pixels),
                 Offset = data.Take<uint>(pixels),
-                Pad = scratch.Zeros<uint>((width + 2 * ExpectationKernel.Reach) * kernels.BandCount),
+                Scratch = scratch.Zeros<uint>(ExpectationBands.ScratchLength(width) * kernels.BandCount),
             };
             kernels.Run(&work, work.BandCount);
         }

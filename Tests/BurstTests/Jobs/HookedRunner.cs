@@ -38,8 +38,6 @@ namespace LaserTracking.Burst
 
         internal override void Run(RiseBands* work, int count) => _hook(() => _inner.Run(work, count));
 
-        internal override void Run(RaiseBands* work, int count) => _hook(() => _inner.Run(work, count));
-
         internal override void Run(ExpectationBands* work, int count) => _hook(() => _inner.Run(work, count));
 
         internal override void Run(ComparisonBands* work, int count) => _hook(() => _inner.Run(work, count));

@@ -36,7 +36,7 @@ namespace LaserTracking.Burst
         [Test]
         public void Jobs_EachOfThem_IsBlittableAndCompiledByBurstStrictly()
         {
-            Assert.That(Jobs, Has.Length.EqualTo(25));
+            Assert.That(Jobs, Has.Length.EqualTo(24));
             Assert.That(Jobs.SelectMany(ProblemsOfJob), Is.Empty);
             Assert.That(Jobs.Where(job => !IsCompiledStrictly(job)).Select(job => job.Name), Is.Empty);
         }

@@ -97,14 +97,6 @@ namespace LaserTracking.Burst
                 BurstLoops.Rise(work, count);
         }
 
-        internal override void Run(RaiseBands* work, int count)
-        {
-            if (IsParallel(count))
-                new RaiseJob { Work = work }.ScheduleParallel(count, Batch(count), default).Complete();
-            else
-                BurstLoops.Raise(work, count);
-        }
-
         internal override void Run(ExpectationBands* work, int count)
         {
             if (IsParallel(count))

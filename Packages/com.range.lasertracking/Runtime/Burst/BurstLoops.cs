@@ -76,13 +76,6 @@ namespace LaserTracking.Burst
         }
 
         [BurstCompile(FloatPrecision.Standard, FloatMode.Strict)]
-        public static void Raise(void* work, int count)
-        {
-            for (int band = 0; band < count; band++)
-                ((RaiseBands*)work)->Execute(band);
-        }
-
-        [BurstCompile(FloatPrecision.Standard, FloatMode.Strict)]
         public static void Expectation(void* work, int count)
         {
             for (int band = 0; band < count; band++)

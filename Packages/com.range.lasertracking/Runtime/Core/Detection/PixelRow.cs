@@ -1,4 +1,7 @@
 using LaserTracking.Imaging;
+#if NET8_0_OR_GREATER
+using System.Numerics;
+#endif
 
 namespace LaserTracking.Detection
 {
@@ -22,8 +25,7 @@ namespace LaserTracking.Detection
             switch (image.Format)
             {
                 case PixelFormat.Bgra32:
-                    for (int x = x0; x < x1; x++)
-                        *target++ = ((uint*)row)[x] | 0xFF000000u;
+                    Opaque((uint*)row + x0, x1 - x0, target);
                     break;
                 case PixelFormat.Nv12:
                     byte* chroma = image.Pixels + (long)image.Height * image.Stride + (long)(y >> 1) * image.Stride;
@@ -55,6 +57,18 @@ namespace LaserTracking.Detection
 
         public static uint Pack(int blue, int green, int red) =>
             Clamp(blue) | Clamp(green) << 8 | Clamp(red) << 16 | 0xFF000000u;
+
+        private static void Opaque(uint* source, int count, uint* target)
+        {
+            const uint Alpha = 0xFF000000u;
+            int i = 0;
+#if NET8_0_OR_GREATER
+            for (; i + Vector<uint>.Count <= count; i += Vector<uint>.Count)
+                Vector.Store(Vector.Load(source + i) | new Vector<uint>(Alpha), target + i);
+#endif
+            for (; i < count; i++)
+                target[i] = source[i] | Alpha;
+        }
 
         private static uint Clamp(int value) => value < 0 ? 0u : value > 255 ? 255u : (uint)value;
     }

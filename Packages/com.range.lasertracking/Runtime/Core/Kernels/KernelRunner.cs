@@ -35,8 +35,6 @@ namespace LaserTracking.Kernels
 
         internal abstract void Run(RiseBands* work, int count);
 
-        internal abstract void Run(RaiseBands* work, int count);
-
         internal abstract void Run(ExpectationBands* work, int count);
 
         internal abstract void Run(ComparisonBands* work, int count);

@@ -27,8 +27,6 @@ namespace LaserTracking.Kernels
 
         internal override void Run(RiseBands* work, int count) => RunBands(work, count);
 
-        internal override void Run(RaiseBands* work, int count) => RunBands(work, count);
-
         internal override void Run(ExpectationBands* work, int count) => RunBands(work, count);
 
         internal override void Run(ComparisonBands* work, int count) => RunBands(work, count);

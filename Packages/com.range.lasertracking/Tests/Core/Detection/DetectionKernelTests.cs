@@ -156,6 +156,26 @@ namespace LaserTracking.Detection
             }
         }
 
+        [Test]
+        public void ToBgra_PartOfARowOfAnyWidth_IsThatPartMadeOpaqueAndNoMore()
+        {
+            using var image = new Image();
+            image.Reset(PixelFormat.Bgra32, 70, 2, 0);
+            new Random(9).NextBytes(image.Bytes);
+            var source = (uint*)image.Pixels + 70;
+            for (int from = 0; from < 3; from++)
+            {
+                for (int to = from; to <= 70; to++)
+                {
+                    var row = new uint[72];
+                    fixed (uint* r = row)
+                        PixelRow.ToBgra(image, 1, from, to, r);
+                    for (int i = 0; i < row.Length; i++)
+                        Assert.That(row[i], Is.EqualTo(i < to - from ? source[from + i] | 0xFF000000u : 0));
+                }
+            }
+        }
+
         /// <summary>Per channel the largest of the pixels that fall into the block.</summary>
         private static uint Reference(Image image, int x, int y, int factor)
         {

@@ -32,8 +32,8 @@ namespace LaserTracking.Detection
         private readonly double[] _nodes = new double[3 * Nodes];
         private readonly double[] _weights = new double[3 * Nodes];
         private readonly double[] _curves = new double[3 * 256];
-        private readonly double[] _gains = new double[3 * ScreenGrid.CellCount];
-        private readonly double[] _offsets = new double[3 * ScreenGrid.CellCount];
+        private readonly double[] _gains = new double[CellBlend.Length];
+        private readonly double[] _offsets = new double[CellBlend.Length];
         private readonly double[] _sums = new double[5 * 3 * ScreenGrid.CellCount];
         private readonly int[] _errors = new int[64];
         private int _frames;
@@ -43,6 +43,12 @@ namespace LaserTracking.Detection
         private double _sumOfSquares;
 
         public ColorTransfer() => Reset();
+
+        /// <summary>Of each cell for blue, green, red; as <see cref="CellBlend"/> takes them.</summary>
+        public double[] Gains => _gains;
+
+        /// <summary>The same, levels.</summary>
+        public double[] Offsets => _offsets;
 
         public bool IsLearned => _frames >= CurveFrames;
 
@@ -126,7 +132,7 @@ namespace LaserTracking.Detection
             MeasureNoise();
             _frames = Math.Min(_frames + 1, 1_000_000);
             BuildCurves();
-            for (int at = 0; at < _gains.Length && IsLearned; at++)
+            for (int at = 0; at < 3 * ScreenGrid.CellCount && IsLearned; at++)
                 FitCell(at);
         }
 
@@ -154,7 +160,7 @@ namespace LaserTracking.Detection
                 for (int segment = 0; segment < 16; segment++)
                 {
                     double start = _curves[256 * channel + 16 * segment], end = segment < 15 ? _curves[256 * channel + 16 * segment + 16] : 2 * _curves[256 * channel + 255] - _curves[256 * channel + 239];
-                    int low = Math.Max(last, Level(start * (1 + slack))), high = Math.Max(low, Level(end * (1 + slack)));
+                    int low = Math.Max(last, CellBlend.Level(start * (1 + slack))), high = Math.Max(low, CellBlend.Level(end * (1 + slack)));
                     tone[32 * channel + segment] = (byte)low;
                     tone[32 * channel + 16 + segment] = (byte)(high - low);
                     last = high;
@@ -162,44 +168,12 @@ namespace LaserTracking.Detection
             }
         }
 
-        /// <summary>Gains (128 = 1) and offsets (128 = 0, raised by the slack) of one row of the rendered picture, between the cells' middles.</summary>
-        public void FillRow(int y, int width, int height, int slack, uint* gain, uint* offset)
-        {
-            double row = Math.Max(0, Math.Min(ScreenGrid.Rows - 1.001, (y + 0.5) * ScreenGrid.Rows / height - 0.5));
-            int top = (int)row;
-            double below = row - top;
-            for (int x = 0; x < width; x++)
-            {
-                double column = Math.Max(0, Math.Min(ScreenGrid.Columns - 1.001, (x + 0.5) * ScreenGrid.Columns / width - 0.5));
-                int left = (int)column;
-                double right = column - left;
-                int at = 3 * (top * ScreenGrid.Columns + left);
-                uint gains = 0, offsets = 0;
-                for (int channel = 0; channel < 3; channel++, at++)
-                {
-                    gains |= (uint)Level(128 * Between(_gains, at, right, below)) << 8 * channel;
-                    offsets |= (uint)Level(128 + slack + Between(_offsets, at, right, below)) << 8 * channel;
-                }
-
-                gain[x] = gains;
-                offset[x] = offsets;
-            }
-        }
-
-        private static double Between(double[] values, int at, double right, double below)
-        {
-            const int Down = 3 * ScreenGrid.Columns;
-            double upper = values[at] + right * (values[at + 3] - values[at]);
-            double lower = values[at + Down] + right * (values[at + Down + 3] - values[at + Down]);
-            return upper + below * (lower - upper);
-        }
-
         private void Pull(int node, double share, double error)
         {
             if (share <= 0)
                 return;
             _weights[node] += share;
-            _nodes[node] += Math.Max(MinRate, 1 / _weights[node]) * share * error;
+            _nodes[node] += (_weights[node] < 1 / MinRate ? 1 / _weights[node] : MinRate) * share * error;
         }
 
         /// <summary>Through the tones seen so far, never falling; beyond the brightest seen on in proportion, below the darkest as dark.</summary>
@@ -246,7 +220,5 @@ namespace LaserTracking.Detection
             _gains[at] = gain;
             _offsets[at] = Math.Max(-100, Math.Min(100, tone + say * (value - tone) - gain * tone));
         }
-
-        private static int Level(double value) => value < 0 ? 0 : value > 255 ? 255 : (int)(value + 0.5);
     }
 }

@@ -1,4 +1,7 @@
 using System;
+#if NET8_0_OR_GREATER
+using System.Numerics;
+#endif
 
 namespace LaserTracking.Detection
 {
@@ -181,10 +184,7 @@ namespace LaserTracking.Detection
                         continue;
                     int weight = (int)((share * 256 + exposure / 2) / exposure);
                     fixed (short* cells = picture.Cells)
-                    {
-                        for (int i = 0; i < ScreenGrid.CellCount; i++)
-                            sums[i] += weight * cells[i];
-                    }
+                        AddWeighed(cells, weight, sums);
 
                     if (picture.TimeUs <= begin)
                         break;
@@ -192,6 +192,23 @@ namespace LaserTracking.Detection
             }
 
             return true;
+        }
+
+        /// <summary>Adds so many times the cells to their sums.</summary>
+        internal static void AddWeighed(short* cells, int weight, int* sums)
+        {
+            int i = 0;
+#if NET8_0_OR_GREATER
+            for (; i + Vector<short>.Count <= ScreenGrid.CellCount; i += Vector<short>.Count)
+            {
+                Vector.Widen(Vector.Load(cells + i), out Vector<int> low, out Vector<int> high);
+                int* upper = sums + i + Vector<int>.Count;
+                Vector.Store(Vector.Load(sums + i) + low * weight, sums + i);
+                Vector.Store(Vector.Load(upper) + high * weight, upper);
+            }
+#endif
+            for (; i < ScreenGrid.CellCount; i++)
+                sums[i] += weight * cells[i];
         }
     }
 }

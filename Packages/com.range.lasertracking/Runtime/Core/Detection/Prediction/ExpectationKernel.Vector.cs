@@ -6,15 +6,33 @@ namespace LaserTracking.Detection
 {
     internal static unsafe partial class ExpectationKernel
     {
+        private const int CacheLinePixels = 16;
+
+        /// <summary>Asks memory for what <see cref="Apart"/> will look at.</summary>
+        public static void Announce(uint* pixel, int reach, int width)
+        {
+            if (!Sse.IsSupported)
+                return;
+            Sse.Prefetch0(pixel);
+            Sse.Prefetch0(pixel - reach * width);
+            Sse.Prefetch0(pixel + reach * width);
+        }
+
         /// <summary>Whole blocks of 8 pixels, as in all that follow; returns how many are done. 0 where the processor lacks 256-bit vectors.</summary>
-        private static int RaiseVector(uint* source, int count, uint* target)
+        private static int BrightestVector(uint** rows, int count, long offset, int width, uint* target)
         {
             if (!Avx2.IsSupported)
                 return 0;
-            int i = 0;
-            for (; i + 8 <= count; i += 8)
-                Avx.Store((byte*)(target + i), Avx2.Max(Avx.LoadVector256((byte*)(source + i)), Avx.LoadVector256((byte*)(target + i))));
-            return i;
+            int x = 0;
+            for (; x + 8 <= width; x += 8)
+            {
+                Vector256<byte> largest = Avx.LoadVector256((byte*)(rows[0] + offset + x));
+                for (int i = 1; i < count; i++)
+                    largest = Avx2.Max(largest, Avx.LoadVector256((byte*)(rows[i] + offset + x)));
+                Avx.Store((byte*)(target + x), largest);
+            }
+
+            return x;
         }
 
         private static int WidenVector(uint* pad, int width, uint* target)
@@ -76,17 +94,35 @@ namespace LaserTracking.Detection
             return Avx2.Min(Avx2.Max(result, Vector256<short>.Zero), Vector256.Create((short)255)).AsUInt16();
         }
 
+        private static int ApartVector(uint value, uint* pixel, int reach, int width)
+        {
+            Vector128<byte> around = Vector128.Create(pixel[-reach], pixel[reach], pixel[-reach * width], pixel[reach * width]).AsByte();
+            Vector128<byte> same = Vector128.Create(value).AsByte(), middle = Vector128.CreateScalarUnsafe(*pixel).AsByte();
+            Vector128<byte> apart = Sse2.SubtractSaturate(around, same) | Sse2.SubtractSaturate(same, around);
+            Vector128<byte> there = Sse2.SubtractSaturate(middle, same) | Sse2.SubtractSaturate(same, middle);
+
+            // Of the vector with the middle only its first pixel counts, of all pixels the lower three bytes.
+            apart = Sse2.Max(apart & Vector128.Create(0xFFFFFFu).AsByte(), there & Vector128.CreateScalar(0xFFFFFFu).AsByte());
+            return LevelVectors.Largest(apart);
+        }
+
+        /// <summary>Whole blocks of 4; pairs as one number, which is as fast as the processor's own gathering.</summary>
         private static int GatherVector(uint* source, int* indices, int count, uint* target)
         {
-            if (!Avx2.IsSupported)
+            if (!Sse.IsSupported)
                 return 0;
             int i = 0;
-            Vector256<int> firstHalf = Vector256.Create(0, 0, 1, 1, 2, 2, 3, 3), secondHalf = Vector256.Create(4, 4, 5, 5, 6, 6, 7, 7);
-            for (; i + 8 <= count; i += 8)
+            var pairs = (ulong*)target;
+            for (; i + 4 <= count; i += 4)
             {
-                Vector256<int> pixels = Avx2.GatherVector256((int*)source, Avx.LoadVector256(indices + i), 4);
-                Avx.Store((int*)(target + 2 * i), Avx2.PermuteVar8x32(pixels, firstHalf));
-                Avx.Store((int*)(target + 2 * i + 8), Avx2.PermuteVar8x32(pixels, secondHalf));
+                // Memory is asked for the indices of the next row, and for what they mostly name: not far on from here.
+                Sse.Prefetch0(indices + i + count);
+                Sse.Prefetch0(source + indices[i] + 2 * count);
+                ulong a = source[indices[i]], b = source[indices[i + 1]], c = source[indices[i + 2]], d = source[indices[i + 3]];
+                pairs[i] = a | a << 32;
+                pairs[i + 1] = b | b << 32;
+                pairs[i + 2] = c | c << 32;
+                pairs[i + 3] = d | d << 32;
             }
 
             return i;
@@ -100,6 +136,8 @@ namespace LaserTracking.Detection
             int x = 0;
             for (; x + 32 <= width; x += 32)
             {
+                Sse.Prefetch0(now + x + width);
+                Sse.Prefetch0(now + x + width + CacheLinePixels);
                 Levels(now + x, expected + x, out Vector256<int> largest0, out Vector256<int> excess0);
                 Levels(now + x + 8, expected + x + 8, out Vector256<int> largest1, out Vector256<int> excess1);
                 Levels(now + x + 16, expected + x + 16, out Vector256<int> largest2, out Vector256<int> excess2);

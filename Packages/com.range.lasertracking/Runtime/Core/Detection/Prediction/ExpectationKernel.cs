@@ -1,4 +1,6 @@
-using LaserTracking.Imaging;
+#if NET8_0_OR_GREATER
+using System.Runtime.Intrinsics.X86;
+#endif
 
 namespace LaserTracking.Detection
 {
@@ -15,25 +17,26 @@ namespace LaserTracking.Detection
         /// <summary>Tone tables: start and rise of 16 segments of 16 levels for blue, green, red, in this order.</summary>
         public const int ToneBytes = 3 * 2 * 16;
 
-        /// <summary>Each byte of target becomes the larger one.</summary>
-        public static void Raise(uint* source, int count, uint* target, bool useVectors)
+        /// <summary>The largest of each byte over some rows, one or more, from the offset on.</summary>
+        public static void Brightest(uint** rows, int count, long offset, int width, uint* target, bool useVectors)
         {
-            int i = 0;
+            int x = 0;
 #if NET8_0_OR_GREATER
             if (useVectors)
-                i = RaiseVector(source, count, target);
+                x = BrightestVector(rows, count, offset, width, target);
 #endif
-            for (; i < count; i++)
-                target[i] = Max(source[i], target[i]);
+            for (; x < width; x++)
+            {
+                uint largest = rows[0][offset + x];
+                for (int i = 1; i < count; i++)
+                    largest = Max(rows[i][offset + x], largest);
+                target[x] = largest;
+            }
         }
 
-        /// <summary>Row y of the maximum over 5×5 pixels. The pad has room for width + 4 pixels, its first and last two stay zero.</summary>
-        public static void DilateRow(uint* picture, int width, int height, int y, uint* pad, uint* target, bool useVectors)
+        /// <summary>The maximum over 5 pixels in a row. The pad is the row with <see cref="Reach"/> pixels of zero before and after.</summary>
+        public static void Widen(uint* pad, int width, uint* target, bool useVectors)
         {
-            int top = y < Reach ? 0 : y - Reach, bottom = y + Reach >= height ? height - 1 : y + Reach;
-            PixelMemory.Copy(picture + (long)top * width, pad + Reach, width);
-            for (int row = top + 1; row <= bottom; row++)
-                Raise(picture + (long)row * width, width, pad + Reach, useVectors);
             int x = 0;
 #if NET8_0_OR_GREATER
             if (useVectors)
@@ -104,6 +107,26 @@ namespace LaserTracking.Detection
                 column[x] = (byte)(excess > column[x] ? excess : column[x]);
             }
         }
+
+        /// <summary>The most by which a channel of a pixel, or of one of its four neighbours this far off, differs from a value.</summary>
+        public static int Apart(uint value, uint* pixel, int reach, int width, bool useVectors)
+        {
+#if NET8_0_OR_GREATER
+            if (useVectors && Sse41.IsSupported)
+                return ApartVector(value, pixel, reach, width);
+#endif
+            return Larger(Larger(Difference(value, *pixel), Larger(Difference(value, pixel[-reach]), Difference(value, pixel[reach]))),
+                Larger(Difference(value, pixel[-reach * width]), Difference(value, pixel[reach * width])));
+        }
+
+        /// <summary>The largest of the three channels' differences.</summary>
+        private static int Difference(uint a, uint b)
+        {
+            int blue = (int)(a & 255) - (int)(b & 255), green = (int)(a >> 8 & 255) - (int)(b >> 8 & 255), red = (int)(a >> 16 & 255) - (int)(b >> 16 & 255);
+            return Larger(blue < 0 ? -blue : blue, Larger(green < 0 ? -green : green, red < 0 ? -red : red));
+        }
+
+        private static int Larger(int a, int b) => a > b ? a : b;
 
         private static uint Max(uint a, uint b)
         {

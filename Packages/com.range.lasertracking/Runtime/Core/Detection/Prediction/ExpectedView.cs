@@ -15,8 +15,8 @@ namespace LaserTracking.Detection
         /// <summary>Each frame learns from one look in so many.</summary>
         private const int LearnTurns = 3;
 
-        /// <summary>Gains and offsets of the whole picture are renewed over so many frames.</summary>
-        private const int MapTurns = 24;
+        /// <summary>Memory is asked for a look so many before it.</summary>
+        private const int LooksAhead = 12;
 
         /// <summary>Neighbours this far from a look must be nearly as bright, or the look teaches nothing.</summary>
         private const int EvenPx = 2;
@@ -39,15 +39,13 @@ namespace LaserTracking.Detection
         private readonly KernelRunner _kernels;
         private readonly DelayMeter _delay;
         private readonly ColorTransfer _transfer = new ColorTransfer();
+        private readonly TransferMap _map = new TransferMap();
         private readonly short[] _cells = new short[ScreenGrid.CellCount];
         private readonly byte[] _tone = new byte[ExpectationKernel.ToneBytes];
         private readonly int[] _shown = new int[RenderedFrameHistory.Capacity];
         private ScreenGrid? _grid;
-        private uint[] _brightest = Array.Empty<uint>();
         private uint[] _screen = Array.Empty<uint>();
-        private uint[] _pad = Array.Empty<uint>();
-        private uint[] _gain = Array.Empty<uint>();
-        private uint[] _offset = Array.Empty<uint>();
+        private uint[] _scratch = Array.Empty<uint>();
         private uint[] _row = Array.Empty<uint>();
         private byte[] _columns = Array.Empty<byte>();
         private byte[] _reference = Array.Empty<byte>();
@@ -58,10 +56,8 @@ namespace LaserTracking.Detection
         private int _renderedWidth;
         private int _renderedHeight;
         private int _shownCount;
-        private int _mapRow;
         private int _evenLevels = LeastEvenLevels;
         private long _learned;
-        private bool _isMapped;
         private bool _useVectors = true;
 
         /// <param name="history">What the projector was given; somebody keeps adding to it.</param>
@@ -205,21 +201,17 @@ namespace LaserTracking.Detection
             _renderedHeight = _history.Height;
             _grid = new ScreenGrid(_calibration.Screen, _width, _height, factor, _renderedWidth, _renderedHeight);
             int pixels = _renderedWidth * _renderedHeight;
-            _brightest = new uint[pixels];
             _screen = new uint[pixels + 1];
-            _pad = new uint[(_renderedWidth + 2 * ExpectationKernel.Reach) * _kernels.BandCount];
-            _gain = new uint[pixels];
-            _offset = new uint[pixels];
+            _scratch = new uint[ExpectationBands.ScratchLength(_renderedWidth) * _kernels.BandCount];
             _row = new uint[2 * _grid.BlockColumns * _kernels.BandCount];
             _reference = new byte[_width * _height];
             _picture = new uint[_width * _height];
             _columns = new byte[_width * _kernels.BandCount];
             Tiles.Resize(_width, _height);
+            _map.Resize(_renderedWidth, _renderedHeight);
             _delay.Reset();
             _transfer.Reset();
             UnexplainedShare = 1;
-            _isMapped = false;
-            _mapRow = 0;
         }
 
         /// <summary>Lists the pictures that this exposure may have seen; false when one of them is not there.</summary>
@@ -245,6 +237,7 @@ namespace LaserTracking.Detection
             for (int look = turn; look < ScreenGrid.LookCount; look += LearnTurns)
             {
                 int at = _grid!.RenderedLooks[look], camera = _grid.CameraLooks[look];
+                AnnounceLook(look + LooksAhead * LearnTurns);
                 if (camera < 0 || !TryMean(at, out int blue, out int green, out int red, out bool isQuiteEven))
                     continue;
                 useful++;
@@ -259,6 +252,15 @@ namespace LaserTracking.Detection
             _evenLevels = useful * LearnTurns < UsefulShare * ScreenGrid.LookCount ? Math.Min(MostEvenLevels, _evenLevels + 4) : Math.Max(LeastEvenLevels, _evenLevels - 1);
         }
 
+        /// <summary>Looks lie too far apart for a processor to foresee.</summary>
+        private void AnnounceLook(int look)
+        {
+#if NET8_0_OR_GREATER
+            for (int i = 0; i < _shownCount && look < ScreenGrid.LookCount; i++)
+                ExpectationKernel.Announce(_history.At(_shown[i]).Pixels + _grid!.RenderedLooks[look], EvenPx, _renderedWidth);
+#endif
+        }
+
         /// <summary>What was shown there on average; false where it was not even over the pictures and the neighbours.</summary>
         private bool TryMean(int at, out int blue, out int green, out int red, out bool isQuiteEven)
         {
@@ -270,33 +272,20 @@ namespace LaserTracking.Detection
             uint first = _history.At(_shown[0]).Pixels[at];
             for (int i = 0; i < _shownCount; i++)
             {
-                fixed (uint* pixels = _history.At(_shown[i]).Pixels)
-                {
-                    uint* center = pixels + at;
-                    int apart = Math.Max(Math.Max(Difference(first, center[0]), Math.Max(Difference(first, center[-EvenPx]), Difference(first, center[EvenPx]))),
-                        Math.Max(Difference(first, center[-EvenPx * _renderedWidth]), Difference(first, center[EvenPx * _renderedWidth])));
-                    if (apart > _evenLevels)
-                        return false;
-                    isQuiteEven &= apart <= QuiteEvenLevels;
-                    blue += (int)(*center & 255);
-                    green += (int)(*center >> 8 & 255);
-                    red += (int)(*center >> 16 & 255);
-                }
+                uint* center = _history.At(_shown[i]).Pixels + at;
+                int apart = ExpectationKernel.Apart(first, center, EvenPx, _renderedWidth, _useVectors);
+                if (apart > _evenLevels)
+                    return false;
+                isQuiteEven &= apart <= QuiteEvenLevels;
+                blue += (int)(*center & 255);
+                green += (int)(*center >> 8 & 255);
+                red += (int)(*center >> 16 & 255);
             }
 
             blue /= _shownCount;
             green /= _shownCount;
             red /= _shownCount;
             return true;
-        }
-
-        /// <summary>The largest of the three channels' differences.</summary>
-        private static int Difference(uint a, uint b)
-        {
-            if (a == b)
-                return 0;
-            int blue = (int)(a & 255) - (int)(b & 255), green = (int)(a >> 8 & 255) - (int)(b >> 8 & 255), red = (int)(a >> 16 & 255) - (int)(b >> 16 & 255);
-            return Math.Max(Math.Abs(blue), Math.Max(Math.Abs(green), Math.Abs(red)));
         }
 
         /// <summary>Relied on as long as next to nothing but dots exceeds the expected view.</summary>
@@ -314,54 +303,33 @@ namespace LaserTracking.Detection
 
         private void Expect(in FrameView view)
         {
-            MapTransfer();
+            _map.Update(_transfer, _settings.LevelSlack, _useVectors);
             fixed (byte* tone = _tone)
-            fixed (uint* brightest = _brightest, screen = _screen, pad = _pad, gain = _gain, offset = _offset)
+            fixed (uint* screen = _screen, scratch = _scratch, gain = _map.Gain, offset = _map.Offset)
             {
                 _transfer.FillTone(tone, _settings.GainSlack);
-                Array.Copy(_history.At(_shown[0]).Pixels, _brightest, _brightest.Length);
-                for (int i = 1; i < _shownCount; i++)
-                {
-                    fixed (uint* picture = _history.At(_shown[i]).Pixels)
-                    {
-                        var raise = new RaiseBands { Source = picture, Target = brightest, Count = _brightest.Length, UseVectors = _useVectors };
-                        _kernels.Run(&raise, raise.BandCount);
-                    }
-                }
-
+                uint** pictures = stackalloc uint*[RenderedFrameHistory.Capacity];
+                for (int i = 0; i < _shownCount; i++)
+                    pictures[i] = _history.At(_shown[i]).Pixels;
                 var work = new ExpectationBands
                 {
                     Width = _renderedWidth,
                     Height = _renderedHeight,
                     UseVectors = _useVectors,
                     BandCount = _kernels.BandCount,
-                    Brightest = brightest,
+                    PictureCount = _shownCount,
+                    Pictures = pictures,
                     Screen = screen,
                     Tone = tone,
                     Gain = gain,
                     Offset = offset,
-                    Pad = pad,
+                    Scratch = scratch,
                 };
                 _kernels.Run(&work, work.BandCount);
 
                 // Beside the screen anything may be.
-                screen[_brightest.Length] = 0xFFFFFFFFu;
+                screen[_screen.Length - 1] = 0xFFFFFFFFu;
                 Compare(view, screen);
-            }
-        }
-
-        private void MapTransfer()
-        {
-            int rows = _isMapped ? (_renderedHeight + MapTurns - 1) / MapTurns : _renderedHeight;
-            _isMapped = true;
-            fixed (uint* gain = _gain, offset = _offset)
-            {
-                for (int i = 0; i < rows; i++)
-                {
-                    _mapRow = (_mapRow + 1) % _renderedHeight;
-                    int row = _mapRow * _renderedWidth;
-                    _transfer.FillRow(_mapRow, _renderedWidth, _renderedHeight, _settings.LevelSlack, gain + row, offset + row);
-                }
             }
         }
 

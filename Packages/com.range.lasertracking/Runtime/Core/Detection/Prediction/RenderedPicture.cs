@@ -6,14 +6,15 @@ namespace LaserTracking.Detection
     /// <summary>A picture that the projector was given, reduced to at most the history's width, with its looks at the grid of the screen.</summary>
     internal sealed unsafe class RenderedPicture
     {
+        private readonly Image _image = new Image();
         private int[] _sums = Array.Empty<int>();
         private uint[] _row = Array.Empty<uint>();
 
         /// <summary>When it was drawn, microseconds.</summary>
         public long TimeUs { get; private set; }
 
-        /// <summary>Blue, green, red, any; rows without padding.</summary>
-        public uint[] Pixels { get; private set; } = Array.Empty<uint>();
+        /// <summary>Blue, green, red, any; rows without padding. Valid until the next <see cref="Fill"/>.</summary>
+        public uint* Pixels => (uint*)_image.Pixels;
 
         /// <summary>Brightness of each cell of the screen's grid; see <see cref="ScreenGrid"/>.</summary>
         public short[] Cells { get; } = new short[ScreenGrid.CellCount];
@@ -27,24 +28,20 @@ namespace LaserTracking.Detection
         public void Fill(Image source, int factor, int width, int height, int[] lookPixels, long timeUs)
         {
             TimeUs = timeUs;
-            if (Pixels.Length != width * height)
-                Pixels = new uint[width * height];
-            fixed (uint* pixels = Pixels)
+            _image.Reset(PixelFormat.Bgra32, width, height, timeUs);
+            if (factor == 1)
             {
-                if (factor == 1)
-                {
-                    for (int y = 0; y < height; y++)
-                        PixelRow.ToBgra(source, y, 0, width, pixels + (long)y * width);
-                }
-                else
-                {
-                    Reduce(source, factor, width, height, pixels);
-                }
-
-                fixed (short* cells = Cells)
-                fixed (int* looks = lookPixels)
-                    ScreenGrid.SumCells(pixels, looks, cells);
+                for (int y = 0; y < height; y++)
+                    PixelRow.ToBgra(source, y, 0, width, Pixels + (long)y * width);
             }
+            else
+            {
+                Reduce(source, factor, width, height, Pixels);
+            }
+
+            fixed (short* cells = Cells)
+            fixed (int* looks = lookPixels)
+                ScreenGrid.SumCells(Pixels, looks, cells);
         }
 
         private void Reduce(Image source, int factor, int width, int height, uint* target)

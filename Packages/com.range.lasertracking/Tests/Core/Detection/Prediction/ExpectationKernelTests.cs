@@ -9,22 +9,49 @@ namespace LaserTracking.Detection
         private static readonly int[] Widths = { 1, 2, 3, 7, 8, 9, 15, 16, 17, 31, 32, 33, 65, 130 };
 
         [Test]
-        public void Dilation_VectorAndScalar_AreEqualAndTheMaximumOfTheNeighbours()
+        public void Expectation_VectorAndScalarInBands_AreEqualAndTheMaximumOfTheNeighboursInAllPictures()
         {
             foreach (int width in Widths)
             {
-                const int Height = 7;
-                uint[] picture = Pixels(width * Height, width), pad = new uint[width + 4], scalar = new uint[width], vector = new uint[width];
-                fixed (uint* p = picture, q = pad, s = scalar, v = vector)
+                foreach (int height in new[] { 1, 2, 4, 5, 11 })
                 {
-                    for (int y = 0; y < Height; y++)
+                    var pictures = new uint[3][];
+                    for (int i = 0; i < pictures.Length; i++)
+                        pictures[i] = Array.ConvertAll(Pixels(width * height, width + i), pixel => pixel & 0x7F7F7F7Fu);
+                    uint[] scalar = Expect(pictures, width, height, 1, false);
+                    Assert.That(Expect(pictures, width, height, 1, true), Is.EqualTo(scalar));
+                    Assert.That(Expect(pictures, width, height, 3, true), Is.EqualTo(scalar));
+                    for (int y = 0; y < height; y++)
                     {
-                        ExpectationKernel.DilateRow(p, width, Height, y, q, s, false);
-                        ExpectationKernel.DilateRow(p, width, Height, y, q, v, true);
-                        Assert.That(vector, Is.EqualTo(scalar));
                         for (int x = 0; x < width; x++)
-                            Assert.That(scalar[x] >> 8 & 255, Is.EqualTo(LargestGreen(picture, width, Height, x, y)), width + " at " + x + "," + y);
+                            Assert.That(scalar[y * width + x] >> 8 & 255, Is.EqualTo(LargestGreen(pictures, width, height, x, y)), width + "×" + height + " at " + x + "," + y);
                     }
+                }
+            }
+        }
+
+        [Test]
+        public void Apart_VectorAndScalar_AreEqualAndTheLargestDifference()
+        {
+            const int Width = 7, Middle = 3 * Width + 3;
+            for (int seed = 0; seed < 200; seed++)
+            {
+                // Most differ by little, one by more, and what is no colour by anything.
+                uint[] picture = Array.ConvertAll(Pixels(7 * Width, seed), pixel => 0x404040u + (pixel & 0xFF030303u));
+                picture[new[] { Middle, Middle - 2, Middle + 2, Middle - 2 * Width, Middle + 2 * Width, Middle + 1 }[seed % 6]] += (uint)seed << 8 * (seed % 3);
+                uint value = picture[0] & 0xFF434343u;
+                fixed (uint* p = picture)
+                {
+                    int scalar = ExpectationKernel.Apart(value, p + Middle, 2, Width, false);
+                    Assert.That(ExpectationKernel.Apart(value, p + Middle, 2, Width, true), Is.EqualTo(scalar));
+                    int largest = 0;
+                    foreach (int at in new[] { Middle, Middle - 2, Middle + 2, Middle - 2 * Width, Middle + 2 * Width })
+                    {
+                        for (int shift = 0; shift < 24; shift += 8)
+                            largest = Math.Max(largest, Math.Abs((int)(p[at] >> shift & 255) - (int)(value >> shift & 255)));
+                    }
+
+                    Assert.That(scalar, Is.EqualTo(largest));
                 }
             }
         }
@@ -63,13 +90,7 @@ namespace LaserTracking.Detection
         [Test]
         public void Transfer_OfAStraightCurve_ChangesNothing()
         {
-            var tone = new byte[ExpectationKernel.ToneBytes];
-            for (int i = 0; i < 48; i++)
-            {
-                tone[32 * (i / 16) + i % 16] = (byte)(16 * (i % 16));
-                tone[32 * (i / 16) + 16 + i % 16] = (byte)(i % 16 == 15 ? 15 : 16);
-            }
-
+            byte[] tone = StraightTone();
             var row = new uint[256];
             for (uint i = 0; i < 256; i++)
                 row[i] = i | (255 - i) << 8 | i / 2 << 16;
@@ -130,13 +151,58 @@ namespace LaserTracking.Detection
             return pixels;
         }
 
-        private static uint LargestGreen(uint[] picture, int width, int height, int x, int y)
+        private static byte[] StraightTone()
+        {
+            var tone = new byte[ExpectationKernel.ToneBytes];
+            for (int i = 0; i < 48; i++)
+            {
+                tone[32 * (i / 16) + i % 16] = (byte)(16 * (i % 16));
+                tone[32 * (i / 16) + 16 + i % 16] = (byte)(i % 16 == 15 ? 15 : 16);
+            }
+
+            return tone;
+        }
+
+        /// <summary>With a transfer that changes nothing.</summary>
+        private static uint[] Expect(uint[][] pictures, int width, int height, int bands, bool useVectors)
+        {
+            var result = new uint[width * height];
+            uint[] same = Array.ConvertAll(result, pixel => 0x808080u), scratch = new uint[bands * ExpectationBands.ScratchLength(width)];
+            fixed (uint* first = pictures[0], second = pictures[1], third = pictures[2], target = result, gain = same, rows = scratch)
+            fixed (byte* tone = StraightTone())
+            {
+                uint** all = stackalloc uint*[] { first, second, third };
+                var work = new ExpectationBands
+                {
+                    Width = width,
+                    Height = height,
+                    PictureCount = pictures.Length,
+                    UseVectors = useVectors,
+                    BandCount = bands,
+                    Pictures = all,
+                    Screen = target,
+                    Tone = tone,
+                    Gain = gain,
+                    Offset = gain,
+                    Scratch = rows,
+                };
+                for (int band = bands - 1; band >= 0; band--)
+                    work.Execute(band);
+            }
+
+            return result;
+        }
+
+        private static uint LargestGreen(uint[][] pictures, int width, int height, int x, int y)
         {
             uint largest = 0;
             for (int ny = Math.Max(0, y - 2); ny <= Math.Min(height - 1, y + 2); ny++)
             {
                 for (int nx = Math.Max(0, x - 2); nx <= Math.Min(width - 1, x + 2); nx++)
-                    largest = Math.Max(largest, picture[ny * width + nx] >> 8 & 255);
+                {
+                    foreach (uint[] picture in pictures)
+                        largest = Math.Max(largest, picture[ny * width + nx] >> 8 & 255);
+                }
             }
 
             return largest;

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace LaserTracking.Detection
 {
-    public sealed class RenderedFrameHistoryTests
+    public sealed unsafe class RenderedFrameHistoryTests
     {
         [TestCase(1, 1, 1, 1)]
         [TestCase(640, 360, 640, 360)]
