@@ -105,7 +105,7 @@ namespace LaserTracking.Fusion
         private Sight Look(SeenDepth depth, Vector3D pivot, Vector3D dotM, double reach)
         {
             Vector3D aim = (dotM - pivot).Normalized, muzzle = _camera.ToCameraMm(pivot + aim * (reach - FirstM));
-            Vector3D step = (_camera.ToCameraMm(pivot + aim * (reach - FirstM - StepM)) - muzzle);
+            Vector3D step = _camera.ToCameraMm(pivot + aim * (reach - FirstM - StepM)) - muzzle;
             int free = 0, filled = 0;
             for (int i = 0; i < Places; i++)
             {

@@ -50,8 +50,10 @@ namespace LaserTracking.Tracking
             double distance = Math.Min(step.Length, (step - way).Length);
             if (distance <= OwnPx * _scale)
                 return distance;
-            bool isOther = dot.Color != LaserColor.Unknown && track.First.Color != LaserColor.Unknown && dot.Color != track.First.Color;
             bool isSmeared = isFresh && (IsSmeared(track.LastShapePx, step) || IsSmeared(dot.ShapePx, step));
+
+            // Of weak light that moves over a picture the colour is told wrong now and then.
+            bool isOther = !isSmeared && dot.Color != LaserColor.Unknown && track.First.Color != LaserColor.Unknown && dot.Color != track.First.Color;
             if (dot.IsOnset && !isHeld)
                 isOther |= frameIndex - track.LastFrame >= 2 || (distance > MaxSharpWayPx * _scale && !isSmeared && way.Length <= OwnPx * _scale);
             double radius = isSmeared ? MaxWayPx * _scale : Math.Max(_radiusPx * _scale, TurnShare * way.Length);

@@ -198,6 +198,18 @@ namespace LaserTracking.Tracking
             Assert.That(_tracker.Shots.Length, Is.EqualTo(shots - 1));
         }
 
+        [Test]
+        public void Process_DotThatSmearsTheWayItWentAndLooksOfAnotherColor_IsNoNewShot()
+        {
+            Dot before = Smeared(100, 100, 8), after = Smeared(120, 100, 8);
+            before.Color = LaserColor.Green;
+            after.Color = LaserColor.Red;
+            Frame(0);
+            Frame(1, before);
+            Frame(2, after);
+            Assert.That(_tracker.Shots.Length, Is.EqualTo(0));
+        }
+
         [TestCase(8, 0)]
         [TestCase(20, 1)]
         public void Process_LightThatBeginsAfterADarkFrame_IsAShotOfItsOwnUnlessAtTheSameSpot(double apartPx, int shots)
