@@ -113,8 +113,8 @@ namespace LaserTracking.Fusion
         public double RivalWeight { get; set; } = 1.5;
 
         /// <summary>
-        /// The same of others whose weapon camera 1's picture of just then does not show: <see cref="HiddenShare"/> is what it is where few are hidden, near 1 where somebody stands before others, and
-        /// what speaks against a name counts as much as it may. Its inverse.
+        /// The same of others whose weapon camera 1's picture of just then does not show, above 0. <see cref="HiddenShare"/> is how often a weapon is hidden
+        /// where few are; where somebody stands before others it is near 1, and this is its inverse.
         /// </summary>
         public double HiddenRivalWeight { get; set; } = 3;
 
