@@ -267,6 +267,38 @@ namespace LaserTracking.Simulation
             Assert.That(Math.Sqrt(variance / expected), Is.EqualTo(1).Within(0.06));
         }
 
+        [Test]
+        public void SimulatedColorSource_DarkPersonBeforeMovingPicture_NothingOnThemIsBrighterThanThePictureIs()
+        {
+            SimulationScenario scenario = SimulationExamples.Linear(0.2);
+            scenario.Projector.Content = ProjectedContent.Shapes;
+            scenario.ColorCamera.BlurPx = 0;
+            scenario.Room.FlickerDepth = 0.5;
+            scenario.Room.Ambient = 0.01;
+            scenario.Projector.Width = 840;
+            scenario.Projector.Height = 472;
+            var clear = new SimulatedRange(SimulationScenarioFile.Parse(SimulationScenarioFile.ToJson(scenario), "copy"), SimulationExamples.EmptyScene());
+            scenario.Room.Obstacles.Add(new ObstacleSettings { TopM = new Vector2D(1.6, 1.2), Reflectance = 0.05 });
+            var hidden = new SimulatedRange(scenario, SimulationExamples.EmptyScene());
+            using IFrameSource clearSource = clear.CreateColorSource(), hiddenSource = hidden.CreateColorSource();
+            using Frame clearFrame = new Frame(), hiddenFrame = new Frame();
+            int darker = 0;
+            while (clearSource.TryRead(clearFrame) && hiddenSource.TryRead(hiddenFrame))
+            {
+                int brightest = 0;
+                foreach (byte value in clearFrame.Color.Bytes)
+                    brightest = Math.Max(brightest, value == 255 ? 0 : value);
+                for (int i = 0; i < 320 * 180 * 4; i++)
+                {
+                    darker += hiddenFrame.Color.Bytes[i] < clearFrame.Color.Bytes[i] - 5 ? 1 : 0;
+                    if (i % 4 != 3 && hiddenFrame.Color.Bytes[i] > brightest + 2)
+                        Assert.Fail($"frame {hiddenFrame.Index}: {hiddenFrame.Color.Bytes[i]} over {brightest} at {i / 4 % 320},{i / 1280}");
+                }
+            }
+
+            Assert.That(darker, Is.GreaterThan(1000), "there is somebody");
+        }
+
         private static double Luma(byte[] bgra, int o) => 0.299 * bgra[o + 2] + 0.587 * bgra[o + 1] + 0.114 * bgra[o];
 
         // The same frame with and without lasers.

@@ -150,10 +150,10 @@ namespace LaserTracking.Simulation
                     weight = (Math.Min(begin + _camera.ExposureUs, shownUs + showUs) - Math.Max(begin, shownUs)) / _camera.ExposureUs;
                 }
 
-                if (weight > 1e-9)
+                if (weight > 1e-9 && _hiddenBy == null)
                     Gather(_imageToPicture, y, rect.Left, rect.Right, (float)weight, _blur.Row(y));
-                if (weight > 1e-9 && _hiddenBy != null)
-                    Hide(y, rect, (float)weight, _blur.Row(y));
+                else if (weight > 1e-9)
+                    GatherBehind(y, rect, (float)weight, _blur.Row(y));
             }
         }
 
@@ -182,9 +182,10 @@ namespace LaserTracking.Simulation
             return hiddenBy;
         }
 
-        /// <summary>Takes the picture off the screen where somebody hides it and lays it on them, displaced and dimmer.</summary>
-        private void Hide(int y, PixelRect rect, float weight, Span<Vector4> row)
+        /// <summary>The picture on the screen where nobody hides it; elsewhere what falls on them, displaced and dimmer.</summary>
+        private void GatherBehind(int y, PixelRect rect, float weight, Span<Vector4> row)
         {
+            AddWhere(null, _imageToPicture, y, rect.Left, rect.Right, weight, row);
             foreach (ObstacleSettings obstacle in _scenario.Room.Obstacles)
             {
                 int first = rect.Left, end = rect.Right;
@@ -195,11 +196,19 @@ namespace LaserTracking.Simulation
                 if (first == end)
                     continue;
                 PlaneMap aside = _assets.ScreenToPicture * new PlaneMap(1, 0, obstacle.ParallaxM.X, 0, 1, obstacle.ParallaxM.Y, 0, 0, 1) * _assets.ScreenToPicture.Inverse * _imageToPicture;
-                Array.Clear(_row, first, end - first);
-                Gather(_imageToPicture, y, first, end, -weight, _row);
-                Gather(aside, y, first, end, (float)(weight * obstacle.Reflectance), _row);
-                for (int x = first; x < end; x++)
-                    row[x] += _hiddenBy![y * _camera.Width + x] == obstacle ? _row[x] : default;
+                AddWhere(obstacle, aside, y, first, end, (float)(weight * obstacle.Reflectance), row);
+            }
+        }
+
+        // Nothing is added and taken off again: what rounding leaves of that may lie below zero.
+        private void AddWhere(ObstacleSettings? hiddenBy, in PlaneMap map, int y, int left, int right, float weight, Span<Vector4> row)
+        {
+            Array.Clear(_row, left, right - left);
+            Gather(map, y, left, right, weight, _row);
+            for (int x = left; x < right; x++)
+            {
+                if (_hiddenBy![y * _camera.Width + x] == hiddenBy)
+                    row[x] += _row[x];
             }
         }
 
