@@ -182,14 +182,21 @@ namespace LaserTracking.Detection
             return false;
         }
 
+        /// <summary>This frame's dots raise no threshold in their tiles.</summary>
+        public void Exempt(TileGrid tiles)
+        {
+            for (int i = 0; i < _nowCount; i++)
+                tiles.Exempt(_now[i].Left, _now[i].Top, _now[i].Right, _now[i].Bottom);
+        }
+
         /// <summary>Gives the places of this frame's dots their background of before back, and makes this frame the last one.</summary>
         public void Protect(in FrameView view, TileGrid smallest, TileGrid largest)
         {
+            Exempt(smallest);
+            Exempt(largest);
             for (int i = 0; i < _nowCount; i++)
             {
                 RememberedDot dot = _now[i];
-                smallest.Exempt(dot.Left, dot.Top, dot.Right, dot.Bottom);
-                largest.Exempt(dot.Left, dot.Top, dot.Right, dot.Bottom);
                 int x0 = Math.Max(0, dot.Left), count = Math.Min(view.Width - 1, dot.Right) - x0 + 1;
                 for (int y = Math.Max(0, dot.Top); y <= Math.Min(view.Height - 1, dot.Bottom) && count > 0; y++)
                 {

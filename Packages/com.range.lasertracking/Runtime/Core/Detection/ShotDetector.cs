@@ -175,8 +175,7 @@ namespace LaserTracking.Detection
             if (_judge.IsContentKnown)
                 SearchAboveContent(image, view, detections);
             Trace?.Spot?.Look(view, _judge.IsContentKnown ? _content.Level + _settings.MinContentExcess : 256, _memory);
-            if (_expected != null)
-                _expected.DotCount = detections.Dots.Length;
+            _expected?.EndFrame(detections.Dots.Length, _memory);
             _blind.Measure(view, _planes.SmallestTiles, _mask, _planes.Factor, Noise, _judge.IsContentKnown, detections);
             if (_isPredicted)
                 detections.BlindShare = _expected!.BlindShare();

@@ -138,6 +138,14 @@ namespace LaserTracking.Detection
             }
         }
 
+        /// <summary>Whether a dot was found in the tile in this frame; asked once a frame by who does not let the activity follow.</summary>
+        public bool TakeExempt(int tile)
+        {
+            bool isExempt = _isExempt[tile];
+            _isExempt[tile] = false;
+            return isExempt;
+        }
+
         /// <summary>Takes this frame's onsets for the ordinary, but for those of dots: the first look at what the picture does by itself.</summary>
         public void LearnAtOnce()
         {

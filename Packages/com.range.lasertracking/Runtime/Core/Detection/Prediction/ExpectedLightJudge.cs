@@ -78,6 +78,9 @@ namespace LaserTracking.Detection
             bool isKnown = memory.TryFind(candidate, out known);
             if (!isKnown && Fails(ref candidate, candidate.RingShare > MaxRingShare, RejectionReason.NotIsolated, candidate.RingShare, MaxRingShare, "ring: share above expected"))
                 return;
+            double unexplained = _expected.UnexplainedAround(candidate.SeedX, candidate.SeedY);
+            if (!isKnown && Fails(ref candidate, unexplained > UnexplainedTiles.MaxShare, RejectionReason.MovingSurroundings, unexplained, UnexplainedTiles.MaxShare, "frames with unexpected light around"))
+                return;
             candidate.IsOnset = !isKnown;
             candidate.IsConclusive = known.IsConclusive || (elongation <= _settings.ConclusiveElongation && candidate.RingShare <= _settings.MaxRingShare);
         }

@@ -40,6 +40,7 @@ namespace LaserTracking.Detection
         private readonly DelayMeter _delay;
         private readonly ColorTransfer _transfer = new ColorTransfer();
         private readonly TransferMap _map = new TransferMap();
+        private readonly UnexplainedTiles _unexplained = new UnexplainedTiles();
         private readonly short[] _cells = new short[ScreenGrid.CellCount];
         private readonly byte[] _tone = new byte[ExpectationKernel.ToneBytes];
         private readonly int[] _shown = new int[RenderedFrameHistory.Capacity];
@@ -56,6 +57,7 @@ namespace LaserTracking.Detection
         private int _renderedWidth;
         private int _renderedHeight;
         private int _shownCount;
+        private int _dotCount;
         private int _evenLevels = LeastEvenLevels;
         private long _learned;
         private bool _useVectors = true;
@@ -82,9 +84,6 @@ namespace LaserTracking.Detection
 
         /// <summary>Share of the screen, of late, that was brighter than expected.</summary>
         public double UnexplainedShare { get; private set; } = 1;
-
-        /// <summary>Dots found in the last frame: their light is no fault of the expected view.</summary>
-        internal int DotCount { get; set; }
 
         /// <summary>Temporal noise of the working picture, levels; 0: not known. Set when the picture's treatment changes.</summary>
         internal double Noise
@@ -173,6 +172,19 @@ namespace LaserTracking.Detection
             return excess < MinUnexplained;
         }
 
+        /// <summary>How often of late, 0…1, the surroundings of a working pixel were brighter than expected without a dot.</summary>
+        internal double UnexplainedAround(int x, int y) => _unexplained.ShareAround(Tiles, x, y);
+
+        /// <summary>Ends a frame that was looked at: the tiles of its dots are not held against the expected view.</summary>
+        internal void EndFrame(int dotCount, DotMemory memory)
+        {
+            _dotCount = dotCount;
+            if (State != PredictionState.Trusted && State != PredictionState.Doubtful)
+                return;
+            memory.Exempt(Tiles);
+            _unexplained.Learn(Tiles, MinExcess);
+        }
+
         /// <summary>Share of the screen on which the expected view leaves too little room for light to exceed it.</summary>
         internal double BlindShare()
         {
@@ -208,6 +220,7 @@ namespace LaserTracking.Detection
             _picture = new uint[_width * _height];
             _columns = new byte[_width * _kernels.BandCount];
             Tiles.Resize(_width, _height);
+            _unexplained.Resize(Tiles.Columns * Tiles.Rows);
             _map.Resize(_renderedWidth, _renderedHeight);
             _delay.Reset();
             _transfer.Reset();
@@ -291,7 +304,7 @@ namespace LaserTracking.Detection
         /// <summary>Relied on as long as next to nothing but dots exceeds the expected view.</summary>
         private void Judge()
         {
-            int tiles = Tiles.Columns * Tiles.Rows, above = -TilesPerDot * DotCount;
+            int tiles = Tiles.Columns * Tiles.Rows, above = -TilesPerDot * _dotCount;
             for (int tile = 0; tile < tiles; tile++)
                 above += Tiles.Onset(tile) >= MinExcess ? 1 : 0;
             double share = Math.Max(0, above) / (double)tiles;

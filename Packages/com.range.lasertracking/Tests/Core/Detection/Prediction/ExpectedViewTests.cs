@@ -132,6 +132,21 @@ namespace LaserTracking.Detection
             Assert.That(range.Shots.Where(s => s.FirstFrameIndex > 2 * FramesPerSecond).Select(s => s.FirstFrameIndex + " at " + s.Dot.PositionPx + " area " + s.Dot.AreaPx + " peak " + s.Dot.Peak), Is.Empty);
         }
 
+        [TestCase(20, 0.5)]
+        [TestCase(21, 0.8)]
+        [Category("Long")]
+        public void Picture_OnSomebodyBeforeTheScreen_IsNoShotAndShotsBesideThemAreFound(int seed, double reflectance)
+        {
+            SimulationScenario scenario = MovingRange.Scenario(seed, 14);
+            scenario.Room.Obstacles.Add(new ObstacleSettings { TopM = new Vector2D(1.2, 1.0), WidthM = 0.45, Reflectance = reflectance });
+            for (int i = 0; i < 20; i++)
+                scenario.Shots.Add(new ShotSettings { TimeS = 3 + 0.52 * i, PulseMs = 50, ScreenM = new Vector2D(0.3 + 0.13 * i, 0.2 + 0.15 * (i % 4)) });
+            var range = new MovingRange(scenario);
+            range.Play();
+            Assert.That(range.States.Skip(3 * FramesPerSecond).Count(s => s == PredictionState.Trusted), Is.GreaterThan(10 * FramesPerSecond));
+            Assert.That(range.Shots.Count(s => s.FirstFrameIndex > 3 * FramesPerSecond - 3), Is.EqualTo(20));
+        }
+
         [Test]
         [Category("Long")]
         public void Pictures_ThatTheProjectorDoesNotShow_ChangeNothing()
