@@ -30,9 +30,24 @@ namespace UnityEngine
 
         public int targetDisplay { get; set; }
 
+        public RenderTexture targetTexture { get; set; }
+
+        public float depth { get; set; }
+
         public int pixelWidth => Desk.Width;
 
         public int pixelHeight => Desk.Height;
+
+        /// <summary>Its texture too, and its place.</summary>
+        public void CopyFrom(Camera other)
+        {
+            fieldOfView = other.fieldOfView;
+            targetDisplay = other.targetDisplay;
+            targetTexture = other.targetTexture;
+            depth = other.depth;
+            transform.position = other.transform.position;
+            transform.rotation = other.transform.rotation;
+        }
 
         /// <summary>From the eye through a pixel, counted from the lower left corner; begins at the eye, Unity's at the near plane.</summary>
         public Ray ScreenPointToRay(Vector3 pos)

@@ -10,12 +10,13 @@ namespace UnityStandIn
     {
         /// <summary>
         /// One frame: time goes on, Start where it is due, as many FixedUpdates and physics steps as the time asks for, Update,
-        /// LateUpdate, then what was destroyed goes. Components run by DefaultExecutionOrder, then by age.
+        /// LateUpdate, drawing, then what was destroyed goes. Components run by DefaultExecutionOrder, then by age.
         /// </summary>
         /// <param name="deltaSeconds">Since the last frame; not negative.</param>
         public static void Step(double deltaSeconds)
         {
             AdvanceTime(deltaSeconds);
+            GraphicsCard.Answer();
             foreach (MonoBehaviour behaviour in InOrder())
             {
                 if (behaviour.isActiveAndEnabled && !behaviour.IsStarted)
@@ -34,6 +35,7 @@ namespace UnityStandIn
 
             SendAll("Update");
             SendAll("LateUpdate");
+            GraphicsCard.Render();
             World.DestroyDoomed();
         }
 
@@ -54,6 +56,7 @@ namespace UnityStandIn
             Desk.Reset();
             GizmoLines.Drawn.Clear();
             WebCams.Reset();
+            GraphicsCard.Reset();
             Time.frameCount = 0;
             Time.timeAsDouble = Time.fixedTimeAsDouble = 0;
             Time.deltaTime = 0;

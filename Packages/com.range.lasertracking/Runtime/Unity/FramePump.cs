@@ -50,8 +50,9 @@ namespace LaserTracking.Unity
         /// <param name="events">Where the pipeline's events go; what befalls the sources goes there too.</param>
         /// <param name="recording">Records what the detector gets; stays the caller's. Or null.</param>
         /// <param name="look">See <see cref="Look"/>; from the first frame on.</param>
+        /// <param name="pictures">What the projector shows, delivered before each frame; or null.</param>
         public FramePump(RangePipeline pipeline, IFrameSource screenCamera, IFrameSource? handCamera, long handClockOffsetUs, FrameSourceAsset source,
-            IDisposable? handModel, EventInbox events, SessionLogWriter? recording, Action<Frame>? look)
+            IDisposable? handModel, EventInbox events, SessionLogWriter? recording, Action<Frame>? look, PictureInbox? pictures)
         {
             _pipeline = pipeline;
             _screenCamera = screenCamera;
@@ -64,7 +65,11 @@ namespace LaserTracking.Unity
             _events = events;
             _look = look;
             _recording = recording;
-            _runner.BeforeFrame = frame => _recording?.AddScreenFrame(frame);
+            _runner.BeforeFrame = frame =>
+            {
+                pictures?.Deliver();
+                _recording?.AddScreenFrame(frame);
+            };
             _runner.HandFrameRead = frame => _recording?.AddHandFrame(frame);
             _thread = new Thread(Run) { IsBackground = true, Name = "laser detection of " + screenCamera.Info.Name };
             _thread.Start();
@@ -130,6 +135,13 @@ namespace LaserTracking.Unity
         {
             lock (_lock)
                 return (timeUs - (_sceneTimeZeroUs ?? 0)) * 1e-6;
+        }
+
+        /// <summary>Microseconds on camera 0's clock at a time on Unity's; null before the first frame.</summary>
+        public long? ToCameraTimeUs(double unityTimeS)
+        {
+            lock (_lock)
+                return _clock.HasBegun ? (long)Math.Round((unityTimeS + _clock.OffsetS) * 1e6) + _sceneTimeZeroUs!.Value : (long?)null;
         }
 
         /// <summary>Tells the thread what time it is. Does not wait.</summary>

@@ -93,6 +93,12 @@ namespace LaserTracking.Unity
         /// <summary>Records what the detector gets, when there is one.</summary>
         internal RangeRecorder? Recorder { get; private set; }
 
+        /// <summary>Tells what the projector shows, when somebody does.</summary>
+        internal RenderedPictures? Pictures { get; private set; }
+
+        /// <summary>Now on camera 0's clock, microseconds; null before the first frame.</summary>
+        internal long? CameraTimeUs => _pump?.ToCameraTimeUs(Time.timeAsDouble);
+
         /// <summary>
         /// Waits until all frames that are due have been processed and raises their events: for tests and replays that must see the same
         /// in every frame. Without it Unity's thread waits for nobody, and an event comes with the Update after its frame is done.
@@ -120,6 +126,14 @@ namespace LaserTracking.Unity
         internal void AttachRecorder(RangeRecorder recorder)
         {
             Recorder = recorder;
+            if (_pump != null)
+                Restart();
+        }
+
+        /// <summary>From the next opening on, as with a recorder; null: nobody tells any more.</summary>
+        internal void AttachPictures(RenderedPictures? pictures)
+        {
+            Pictures = pictures;
             if (_pump != null)
                 Restart();
         }

@@ -63,9 +63,11 @@ namespace LaserTracking.Unity
                 SessionLogWriter? recording = _range.Recorder?.Begin(_asset, source, handSource, handClockOffsetUs, calibration);
                 IEventSink sink = recording?.Events == null ? (IEventSink)events : new EventSinkGroup(new IEventSink[] { recording.Events, events });
                 // No scorer: rays are cast by Unity's physics, which only its own thread may ask.
-                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(null, null, kernels), calibration, handSource != null || WantsHands, null, sink, settings, handModel, kernels);
+                PictureInbox? pictures = calibration == null || !_asset.IsLive ? null : _range.Pictures?.Begin();
+                ExpectedView? expected = pictures == null ? null : new ExpectedView(pictures.History, calibration!, _range.Pictures!.Settings(), kernels);
+                RangePipeline pipeline = RangePipeline.CreateDefault(new ShotDetector(null, expected, kernels), calibration, handSource != null || WantsHands, null, sink, settings, handModel, kernels);
                 pipeline.Begin(new SessionHeader(PackageVersion.Text, Array.Empty<SessionInput>(), null, "shots", null));
-                return new FramePump(pipeline, source, handSource, handClockOffsetUs, _asset, handModel, events, recording, look);
+                return new FramePump(pipeline, source, handSource, handClockOffsetUs, _asset, handModel, events, recording, look, pictures);
             }
             catch
             {

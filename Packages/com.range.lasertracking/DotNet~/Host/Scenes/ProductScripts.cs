@@ -39,6 +39,7 @@ namespace LaserTracking.Host.Scenes
             ["8c7810aa1b663a441f2aa3614be26986"] = "CalibrationScreen",
             ["9860e2bcc19e5ce04f69d1ece3a5cc62"] = "PlayerSetup",
             ["4e594f06acf668db5e74aefd635dc51f"] = "RemoteInput",
+            ["92034f8b2d58c3dbd64ac11007c926a2"] = "RenderedPictures",
         };
 
         /// <summary>Serialised fields by class; all of them are written by Unity, so a missing one is as wrong as an unknown one.</summary>

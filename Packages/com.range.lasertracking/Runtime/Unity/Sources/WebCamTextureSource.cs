@@ -1,6 +1,5 @@
 using System;
 using LaserTracking.Capture;
-using LaserTracking.Imaging;
 using UnityEngine;
 
 namespace LaserTracking.Unity
@@ -113,29 +112,14 @@ namespace LaserTracking.Unity
             return _device;
         }
 
-        /// <summary>Rows from the bottom and red first become rows from the top and blue first.</summary>
         private void Read(WebCamTexture texture, Frame frame, long timeUs)
         {
             int width = texture.width, height = texture.height;
             if (_pixels.Length != width * height)
                 _pixels = new Color32[width * height];
             texture.GetPixels32(_pixels);
-            bool isUpsideDown = !texture.videoVerticallyMirrored;
             frame.Begin(_index++, timeUs);
-            frame.Color.Reset(PixelFormat.Bgra32, width, height, timeUs);
-            for (int y = 0; y < height; y++)
-            {
-                Span<byte> row = frame.Color.Bytes.Slice(y * frame.Color.Stride, width * 4);
-                int from = (isUpsideDown ? height - 1 - y : y) * width;
-                for (int x = 0; x < width; x++)
-                {
-                    Color32 pixel = _pixels[from + x];
-                    row[4 * x] = pixel.b;
-                    row[4 * x + 1] = pixel.g;
-                    row[4 * x + 2] = pixel.r;
-                    row[4 * x + 3] = 255;
-                }
-            }
+            _pixels.CopyTo(frame.Color, width, height, !texture.videoVerticallyMirrored, timeUs);
         }
     }
 }

@@ -33,6 +33,9 @@ namespace LaserTracking.Detection
 
         private const double MaxErrorShare = 0.15;
 
+        /// <summary>Rendered pixels to one of the searched picture: what is allowed for blur is counted in rendered ones.</summary>
+        private const double MostDetail = 1.5;
+
         private readonly RenderedFrameHistory _history;
         private readonly RangeCalibration _calibration;
         private readonly PredictionSettings _settings;
@@ -121,7 +124,12 @@ namespace LaserTracking.Detection
                     return false;
                 }
 
-                Fit(view, factor);
+                if (Fit(view, factor) && LimitPictures())
+                {
+                    State = PredictionState.Searching;
+                    return false;
+                }
+
                 _useVectors = useVectors;
                 fixed (int* looks = _grid!.CameraLooks)
                 fixed (short* cells = _cells)
@@ -201,11 +209,12 @@ namespace LaserTracking.Detection
             return count == 0 ? 0 : blind / (double)count;
         }
 
-        private void Fit(in FrameView view, int factor)
+        /// <summary>Returns whether a size has changed.</summary>
+        private bool Fit(in FrameView view, int factor)
         {
             bool isSame = _grid != null && view.Width == _width && view.Height == _height && factor == _factor;
             if (isSame && _history.Width == _renderedWidth && _history.Height == _renderedHeight)
-                return;
+                return false;
             _width = view.Width;
             _height = view.Height;
             _factor = factor;
@@ -225,6 +234,16 @@ namespace LaserTracking.Detection
             _delay.Reset();
             _transfer.Reset();
             UnexplainedShare = 1;
+            return true;
+        }
+
+        /// <summary>Has the pictures reduced to what the camera can see of them; true when they start anew for it.</summary>
+        private bool LimitPictures()
+        {
+            ReadOnlySpan<Vector2D> corners = _calibration.Screen.CornersPx;
+            double seen = Math.Max((corners[1] - corners[0]).Length, (corners[2] - corners[3]).Length) / _factor;
+            _history.LimitWidth((int)(MostDetail * seen));
+            return _history.Count == 0;
         }
 
         /// <summary>Lists the pictures that this exposure may have seen; false when one of them is not there.</summary>

@@ -5,7 +5,7 @@ namespace LaserTracking.Detection
 {
     /// <summary>
     /// The pictures that the projector was given lately, with the times at which they were drawn. Whoever draws adds, the detector looks
-    /// back; both may be on threads of their own. Pictures wider than 640 px are reduced to less by a whole number. Keeps 48 of them
+    /// back; both may be on threads of their own. Pictures wider than 640 px, or than the camera can see them, are reduced to less by a whole number. Keeps 48 of them
     /// (0.8 s at 60 a second); no allocation once that many have come. Their clock may differ from the camera's by up to the range of
     /// delays that is searched.
     /// </summary>
@@ -21,6 +21,7 @@ namespace LaserTracking.Detection
         private int _sourceWidth;
         private int _sourceHeight;
         private int _factor = 1;
+        private int _maxWidth = MaxWidthPx;
         private int _newest = -1;
 
         public RenderedFrameHistory()
@@ -72,6 +73,20 @@ namespace LaserTracking.Detection
                 Count = 0;
         }
 
+        /// <summary>
+        /// Keeps pictures of this width or less, px: finer than the camera sees the screen is no use, and its blur would reach farther than what is
+        /// allowed for. Starts the history anew where that changes their size.
+        /// </summary>
+        internal void LimitWidth(int px)
+        {
+            int before = FactorFor(_sourceWidth, _sourceHeight);
+            _maxWidth = Math.Max(1, Math.Min(MaxWidthPx, px));
+            if (FactorFor(_sourceWidth, _sourceHeight) == before)
+                return;
+            _sourceWidth = 0;
+            Count = 0;
+        }
+
         /// <summary>0: the newest.</summary>
         internal RenderedPicture At(int age) => _pictures[(_newest - age + Capacity) % Capacity];
 
@@ -87,11 +102,13 @@ namespace LaserTracking.Detection
         {
             _sourceWidth = picture.Width;
             _sourceHeight = picture.Height;
-            _factor = Math.Min(Math.Min(picture.Width, picture.Height), (picture.Width + MaxWidthPx - 1) / MaxWidthPx);
+            _factor = FactorFor(picture.Width, picture.Height);
             Width = picture.Width / _factor;
             Height = picture.Height / _factor;
             _looks = ScreenGrid.Looks(Width, Height);
             Count = 0;
         }
+
+        private int FactorFor(int width, int height) => Math.Min(Math.Min(width, height), (width + _maxWidth - 1) / _maxWidth);
     }
 }

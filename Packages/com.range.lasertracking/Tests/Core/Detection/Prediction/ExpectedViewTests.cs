@@ -148,6 +148,17 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        public void Pictures_FinerThanTheCameraSeesThem_AreReliedOnAllTheSame()
+        {
+            SimulationScenario scenario = MovingRange.Scenario(22, 4);
+            scenario.Projector.Width = 640;
+            scenario.Projector.Height = 360;
+            var range = new MovingRange(scenario);
+            range.Play();
+            Assert.That(range.States.Skip(2 * FramesPerSecond), Is.All.EqualTo(PredictionState.Trusted));
+        }
+
+        [Test]
         [Category("Long")]
         public void Pictures_ThatTheProjectorDoesNotShow_ChangeNothing()
         {
