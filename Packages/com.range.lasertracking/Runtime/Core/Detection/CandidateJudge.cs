@@ -26,6 +26,9 @@ namespace LaserTracking.Detection
         /// <summary>Least difference from the frame before that no displacement takes away: what moves leaves less than that, light on texture more.</summary>
         private const double MinUnexplained = 0.6;
 
+        /// <summary>Half of what a red laser's light does to the luma: see <see cref="SurroundingsMeasurer.LumaShare"/>.</summary>
+        private const double MinLumaShare = 0.12;
+
         /// <summary>What hardly any displacement explains at all has this much more for it, log-odds, where noise, movement, and much that rises at once are no other reason.</summary>
         internal const double SurelyUnexplained = 0.85, NewLightLogOdds = 1;
 
@@ -257,6 +260,9 @@ namespace LaserTracking.Detection
             if (Fails(ref candidate, !candidate.IsOnset, RejectionReason.NotNew, 1 - before, 0.5)
                 || Fails(ref candidate, elongation > _settings.MaxElongation, RejectionReason.TooElongated, elongation, _settings.MaxElongation)
                 || Fails(ref candidate, candidate.RingShare > _settings.MaxRingShare, RejectionReason.NotIsolated, candidate.RingShare, _settings.MaxRingShare, "ring: share risen"))
+                return;
+            double luma = SurroundingsMeasurer.LumaShare(view, candidate);
+            if (Fails(ref candidate, luma < MinLumaShare, RejectionReason.WrongColor, luma, MinLumaShare, "brighter, not only of another colour"))
                 return;
             candidate.IsConclusive = Suffices(ConclusiveExcess - excess, 0, "levels missing above")
                 & Suffices(elongation, _settings.ConclusiveElongation, "length / width");

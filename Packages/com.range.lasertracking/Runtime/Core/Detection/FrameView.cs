@@ -65,6 +65,9 @@ namespace LaserTracking.Detection
             return red > largest ? red : largest;
         }
 
+        /// <summary>BT.601's luma in eighths.</summary>
+        public static int Luma(uint pixel) => (int)((pixel & 255) + 5 * (pixel >> 8 & 255) + 2 * (pixel >> 16 & 255)) >> 3;
+
         /// <summary>The brightness that the pixels' own past explains.</summary>
         public byte* Past(DetectionPlane plane) => plane == DetectionPlane.Smallest ? OldSmallest : OldLargest;
 

@@ -232,6 +232,26 @@ namespace LaserTracking.Detection
         }
 
         /// <summary>
+        /// By how much the luma has changed through how much the candidate's plane has, in its box; 1 where that has not. A red laser's is
+        /// a quarter or more; compressed pictures carry colour in blocks, and what moves past their seams takes another's without becoming brighter.
+        /// </summary>
+        public static double LumaShare(in FrameView view, in Candidate candidate)
+        {
+            int luma = 0, level = 0;
+            for (int y = candidate.Top; y <= candidate.Bottom; y++)
+            {
+                for (int x = candidate.Left; x <= candidate.Right; x++)
+                {
+                    uint now = view.Now[y * view.Width + x], before = view.Before[y * view.Width + x];
+                    luma += FrameView.Luma(now) - FrameView.Luma(before);
+                    level += FrameView.Level(now, candidate.Plane) - FrameView.Level(before, candidate.Plane);
+                }
+            }
+
+            return level <= 0 ? 1 : luma / (double)level;
+        }
+
+        /// <summary>
         /// How much of what a channel or plane would have told is missing for want of room, 0…1: there a value counts that speaks neither
         /// for nor against. Only beside light that takes half of the room that is left elsewhere: less is what noise does, too.
         /// </summary>

@@ -66,6 +66,20 @@ namespace LaserTracking.Detection
             Assert.That(Simulate(new SimulationScenario { Seed = 5, DurationS = 8 }, out _), Is.Empty);
         }
 
+        [TestCase(4)]
+        [TestCase(8)]
+        [Category("Long")]
+        public void Process_SimulatedMovingTargetsInACompressedPicture_GiveNoShot(int seed)
+        {
+            var scenario = new SimulationScenario { Seed = seed, DurationS = 3 };
+            scenario.Projector.Brightness = 0.42;
+            scenario.ColorCamera.Format = Imaging.PixelFormat.Nv12;
+            scenario.ColorCamera.JpegQuality = 74;
+            scenario.ColorCamera.Gain = 0.55;
+            scenario.ColorCamera.BlurPx = 0.5;
+            Assert.That(Simulate(scenario, out _, 960), Is.Empty);
+        }
+
         [Test]
         [Category("Long")]
         public void Process_SimulatedShotsOnMovingTargets_AreFound()
@@ -108,10 +122,10 @@ namespace LaserTracking.Detection
             b.Box(152, 100 - height - 6, 25, 40, 60, 100, 140).Box(110, 100, 100, 90, 60, 100, 140);
         }
 
-        private static List<Shot> Simulate(SimulationScenario scenario, out SimulationTruth truth)
+        private static List<Shot> Simulate(SimulationScenario scenario, out SimulationTruth truth, int width = 640)
         {
-            scenario.ColorCamera.Width = 640;
-            scenario.ColorCamera.Height = 360;
+            scenario.ColorCamera.Width = width;
+            scenario.ColorCamera.Height = width * 9 / 16;
             scenario.DepthCamera.Enabled = false;
             var range = new SimulatedRange(scenario, SimulationScenes.Default());
             truth = range.Truth;

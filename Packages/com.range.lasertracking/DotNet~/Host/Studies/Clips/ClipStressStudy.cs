@@ -23,17 +23,22 @@ namespace LaserTracking.Host.Studies.Clips
         {
             PictureStress[] cases = PictureStress.All().Where(c => options.Includes(c.Name)).ToArray();
             ClipTally[] tallies = cases.Select(_ => new ClipTally()).ToArray();
+            int played = 0, shots = 0;
             for (int index = 0; index < clips.Clips.Count; index++)
             {
                 TruthClip clip = clips.Clips[index];
                 ShotDetectorSettings? settings = settingsOf(index);
                 ClipRun[] runs = cases.Select(_ => new ClipRun(settings)).ToArray();
                 StressedClip.Play(clips, clip, cases, options, (i, frame, shiftPx) => runs[i].Process(frame, shiftPx), interrupted);
+                if (interrupted.IsCancellationRequested)
+                    break;
+                played++;
+                shots += clip.Shots.Count;
                 for (int i = 0; i < cases.Length; i++)
                     tallies[i].Add(clip, runs[i].Reported, runs[i].WhyNot);
             }
 
-            var table = new StudyTable(clips.Clips.Count + " clips, " + clips.Clips.Sum(c => c.Shots.Count) + " shots; step: ten frames each as they are, brighter, as they are, darker; shake: whole pixels, smooth: fractions", ClipTally.Columns);
+            var table = new StudyTable((played < clips.Clips.Count ? played + " of " : "") + clips.Clips.Count + " clips, " + shots + " shots; step: ten frames each as they are, brighter, as they are, darker; shake: whole pixels, smooth: fractions", ClipTally.Columns);
             for (int i = 0; i < cases.Length; i++)
                 tallies[i].Write(cases[i].Name, table);
             return table;

@@ -27,6 +27,8 @@ namespace LaserTracking.Host.Studies.Clips
                     options.Progress.Show(pasted.Name + ", " + clip.File);
                     var run = new ClipRun();
                     TruthClip truth = pasted.Play(clips, clip, templates, random, frame => run.Process(frame, default), interrupted);
+                    if (interrupted.IsCancellationRequested)
+                        return table;
                     tally.Add(truth, run.Without(clip), run.WhyNot);
                 }
 
