@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using LaserTracking.Detection;
-using LaserTracking.Fusion;
 using LaserTracking.Geometry;
 using LaserTracking.Hands;
 using LaserTracking.Hands.Model;
@@ -37,7 +36,8 @@ namespace LaserTracking.Host.Benchmarks
             new Benchmark("sort-10", "10 boxes in, tracks out; SORT", () => TrackingBenchmarks.Sort(10)),
             new Benchmark("dots-8", "8 dots in, their numbers out; dot tracker", () => TrackingBenchmarks.Dots(8)),
             new Benchmark("dots-50", "50 dots in, their numbers out; dot tracker", () => TrackingBenchmarks.Dots(50)),
-            new Benchmark("pair-multiuser", "4 shots of one frame to 4 hands", Pair),
+            new Benchmark("pair-multiuser", "4 shots of one frame to 4 hands", PairBenchmark.Prepare),
+            new Benchmark("pair-picture", "4 shots of one frame to the hands of 4 simulated people, with camera 1's picture", PairBenchmark.PrepareWithPicture),
             new Benchmark("lens-table", "a table of rays for a depth camera's 1920×1080 colour lens, error at most 0.01 px", LensBenchmark.BuildTable),
             new Benchmark("lens-lookup", "1,000,000 pixels at random places to rays by that table", LensBenchmark.LookUp),
             new Benchmark("lens-exact", "the same 1,000,000 pixels to exact rays by Newton's method", LensBenchmark.Exact),
@@ -103,33 +103,6 @@ namespace LaserTracking.Host.Benchmarks
             var tracker = new DepthHandTracker(range.Calibration.HandCamera!);
             var hands = new HandObservations();
             return number => tracker.Process(frames[number], hands);
-        }
-
-        private static Action<int> Pair()
-        {
-            var camera = new HandCamera(new PinholeCamera(504, 504, 320, 288, 640, 576), Pose.Identity);
-            var fusion = new ShooterAssignment(camera);
-            var hands = new HandObservations();
-            var shots = new Shot[4];
-            var screen = new Vector2D[4];
-            var fused = new FusedShot[4];
-            return number =>
-            {
-                long timeUs = number * 33_333L;
-                hands.Begin(number, timeUs);
-                for (int i = 0; i < 4; i++)
-                {
-                    screen[i] = new Vector2D(0.5 + 0.8 * i, 1.0);
-                    var muzzle = new Vector3D(800.0 * i + 300, 900 + 10 * (number % 7), -1500);
-                    Vector3D aim = (new Vector3D(screen[i].X * 1000, screen[i].Y * 1000, 0) - muzzle).Normalized;
-                    hands.Add(new HandObservation { TrackId = i + 1, PersonId = i + 1, PalmMm = muzzle - aim * 150, MuzzleMm = muzzle, AimDirection = aim, SigmaMm = 10, MuzzleSigmaMm = 5 });
-                    hands.Add(new PersonObservation { PersonId = i + 1, EyeMm = muzzle - aim * 750, SigmaMm = 60 });
-                    shots[i] = new Shot { Id = number * 4 + i, TimeUs = timeUs, TrackId = number * 4 + i + 1, Dot = new Dot { Color = LaserColor.Green } };
-                }
-
-                fusion.AddHands(hands);
-                fusion.Fuse(shots, screen, fused);
-            };
         }
 
         private static Action<int> Decode()

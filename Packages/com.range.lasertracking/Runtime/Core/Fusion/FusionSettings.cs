@@ -103,6 +103,12 @@ namespace LaserTracking.Fusion
         /// <summary>Over which a shot from nobody in sight is spread evenly, m². The published screen has 8.4.</summary>
         public double ScreenAreaM2 { get; set; } = 8.4;
 
+        /// <summary>
+        /// Share of that over which such a shot, and one whose weapon is hidden, is spread: people aim where targets stand, others too. On the simulated range
+        /// somebody who does not fire aims within 12 mrad of another's dot ten times as often as evenly over the screen; those who are half hidden, evenly.
+        /// </summary>
+        public double AimedShare { get; set; } = 0.7;
+
         /// <summary>Probability that a shooter's next dot shows their usual colour.</summary>
         public double ColorKeptProbability { get; set; } = 0.97;
 
@@ -139,6 +145,9 @@ namespace LaserTracking.Fusion
         /// <summary>Sightings kept, over all hands: 2 s of 12 hands at 30 frames/s, and some.</summary>
         public int HistoryLength { get; set; } = 1024;
 
+        /// <summary>Over which shots of unseen weapons are spread evenly, m².</summary>
+        internal double AimedAreaM2 => AimedShare * ScreenAreaM2;
+
         /// <exception cref="ArgumentException">A value is outside its range.</exception>
         public void Validate()
         {
@@ -154,7 +163,7 @@ namespace LaserTracking.Fusion
             Check(NobodyPrior > 0 && NobodyPrior < 1, "NobodyPrior between 0 and 1");
             Check(StrangerShare > 0 && HiddenShare >= 0 && HiddenShare < 1 && OutOfViewShare >= 0 && OutOfViewShare < 1, "StrangerShare above 0, HiddenShare and OutOfViewShare at least 0, below 1");
             Check(ViewMargin >= 0 && ViewMargin < 0.5 && ReachM > 0 && ReachSigmaM > 0 && ReachSpreadM > 0 && BearingSigmaRad > 0 && SecondWeaponShare >= 0 && SecondWeaponShare <= 1 && NeighbourShare >= 0 && NeighbourShare <= 1, "ViewMargin 0…0.5, lengths and BearingSigmaRad above zero, SecondWeaponShare and NeighbourShare 0…1");
-            Check(ScreenAreaM2 > 0, "ScreenAreaM2 above zero");
+            Check(ScreenAreaM2 > 0 && AimedShare > 0 && AimedShare <= 1, "ScreenAreaM2 above zero, AimedShare above 0, at most 1");
             Check(ColorKeptProbability > 0.25 && ColorKeptProbability < 1, "ColorKeptProbability between 0.25 and 1");
             Check(RivalWeight > 0 && HiddenRivalWeight > 0, "RivalWeight and HiddenRivalWeight above zero");
             Check(MinProbability >= 0 && MinProbability <= 1, "MinProbability 0…1");

@@ -146,7 +146,7 @@ namespace LaserTracking.Fusion
                     _hypotheses.Weights[row + k] *= _registry.ColorFactor(_shooters[row + k], shot.Dot.Color);
             }
 
-            _nobody[i] = _settings.NobodyPrior / _settings.ScreenAreaM2;
+            _nobody[i] = _settings.NobodyPrior / _settings.AimedAreaM2;
         }
 
         private void Assign(int count, int columns)

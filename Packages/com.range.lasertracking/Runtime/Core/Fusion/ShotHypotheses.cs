@@ -230,7 +230,7 @@ namespace LaserTracking.Fusion
             if (key < 0)
                 return seen;
             double hidden = HiddenShare(key, screenM, _owners.Visible(column));
-            double unseen = hidden * place / _settings.ScreenAreaM2;
+            double unseen = hidden * place / _settings.AimedAreaM2;
             double total = (1 - hidden) * seen + unseen;
             sightShare *= (1 - hidden) * highest / Math.Max(1, shares) / total;
             if (unseen > (1 - hidden) * highest)

@@ -24,10 +24,6 @@ namespace LaserTracking.Fusion
             public double Rest;
 
             public double Share;
-
-            /// <summary>Probability that this shot is theirs, and the part of it for which it keeps to their line.</summary>
-            public double Claim;
-            public double Kept;
             public SightEvidence Evidence;
         }
 
@@ -49,8 +45,8 @@ namespace LaserTracking.Fusion
         private const int Newest = 4;
         private const int EachFrame = 4;
 
-        /// <summary>So many shots in a row beside somebody's line, and it is not theirs.</summary>
-        private const int Contradictions = 3;
+        /// <summary>Logarithm of how much likelier all shots must be with a line learned anew.</summary>
+        private const double MinGain = 1;
 
         /// <summary>Sightings farther apart are not interpolated between.</summary>
         private const long GapUs = 120_000;
@@ -77,7 +73,14 @@ namespace LaserTracking.Fusion
         private int _count;
         private int _start;
         private int _next;
-        private long _learnedAnewUs = long.MinValue;
+
+        /// <summary>All lines as they were before one was tried anew, and for whom that is to be done.</summary>
+        private readonly Line[] _kept = new Line[Capacity * LinesEach];
+        private readonly int[] _doubted = new int[LinesEach];
+        private int _doubtedCount;
+
+        /// <summary>Highest probability of the newest shot's lines.</summary>
+        private double _likeliest;
 
         public ShotMemory(HandCamera camera, FusionSettings settings, SightLines sights)
         {
@@ -90,8 +93,7 @@ namespace LaserTracking.Fusion
 
         public void Clear()
         {
-            _count = _start = _next = 0;
-            _learnedAnewUs = long.MinValue;
+            _count = _start = _next = _doubtedCount = 0;
         }
 
         /// <summary>Begins to remember a shot; its lines are added next.</summary>
@@ -99,6 +101,7 @@ namespace LaserTracking.Fusion
         {
             if (_count == Capacity)
                 Forget();
+            _likeliest = 0;
             _shots[Place(_count++)] = new Remembered { TimeUs = timeUs, DotM = new Vector3D(screenM.X, screenM.Y, 0), Others = 1 };
         }
 
@@ -121,52 +124,64 @@ namespace LaserTracking.Fusion
             }
 
             shot.Others = Math.Max(0, shot.Others - probability);
+            _likeliest = Math.Max(_likeliest, probability);
             _lines[at * LinesEach + shot.Lines++] = line;
         }
 
         /// <summary>Learns from the shot just added.</summary>
         public void End()
         {
-            int newest = Place(_count - 1);
-            Weigh(newest);
-            for (int i = 0; i < _shots[newest].Lines; i++)
+            int at = Place(_count - 1);
+            Weigh(at);
+            if (_likeliest >= _settings.MinProbability)
+                return;
+
+            // A shot that nobody can be told for may be somebody's whose line was learned from another's.
+            _doubtedCount = 0;
+            for (int i = 0; i < _shots[at].Lines; i++)
             {
-                int person = _lines[newest * LinesEach + i].PersonId;
-                if (IsContradicted(person))
-                    LearnAnew(person);
+                if (_lines[at * LinesEach + i].Factor > 0)
+                    _doubted[_doubtedCount++] = _lines[at * LinesEach + i].PersonId;
             }
         }
 
         /// <summary>
-        /// Somebody's last shots all pass their line far off: it was learned from others' shots. Such a line holds itself up, as shots beside it
-        /// teach nothing.
+        /// Learns somebody's line anew and keeps it where all shots together are likelier so. A line that one wrong shot has taught holds itself up, as
+        /// shots beside it teach nothing.
         /// </summary>
-        private bool IsContradicted(int personId)
+        private void TryAnew(int personId)
         {
-            int beside = 0;
-            for (int i = _count - 1; i >= 0 && beside < Contradictions; i--)
+            double before = Reweigh();
+            Array.Copy(_lines, _kept, _lines.Length);
+            SightEvidence old = _sights.Old(personId);
+            LearnAnew(personId);
+            Reweigh();
+            if (Reweigh() > before + MinGain)
+                return;
+            for (int i = 0; i < _count; i++)
+                Unlearn(Place(i));
+            Array.Copy(_kept, _lines, _lines.Length);
+            for (int i = 0; i < _count; i++)
+                Learn(Place(i), 1);
+            _sights.SetOld(personId, old);
+        }
+
+        /// <summary>Weighs all shots again. Returns the logarithm of their likelihood, of each as all others tell.</summary>
+        private double Reweigh()
+        {
+            double sum = 0;
+            for (int i = 0; i < _count; i++)
             {
-                int at = Place(i);
-                if (_shots[at].TimeUs <= _learnedAnewUs)
-                    return false;
-                for (int k = 0; k < _shots[at].Lines; k++)
-                {
-                    ref readonly Line line = ref _lines[at * LinesEach + k];
-                    if (line.PersonId != personId || !(line.Factor > 0) || line.Claim < _settings.LearnProbability)
-                        continue;
-                    if (line.Kept > 0.5 * line.Claim)
-                        return false;
-                    beside++;
-                }
+                Unlearn(Place(i));
+                sum += Math.Log(Weigh(Place(i)));
             }
 
-            return beside == Contradictions;
+            return sum;
         }
 
         /// <summary>Forgets somebody's line and learns it from the newest shot back.</summary>
         private void LearnAnew(int personId)
         {
-            _learnedAnewUs = _shots[Place(_count - 1)].TimeUs;
             for (int i = 0; i < _count * LinesEach; i++)
             {
                 ref Line line = ref _lines[Place(i / LinesEach) * LinesEach + i % LinesEach];
@@ -176,7 +191,7 @@ namespace LaserTracking.Fusion
                 line.Evidence = default;
             }
 
-            _sights.Forget(personId);
+            _sights.SetOld(personId, default);
             for (int i = _count - 1; i >= 0; i--)
             {
                 Unlearn(Place(i));
@@ -184,9 +199,11 @@ namespace LaserTracking.Fusion
             }
         }
 
-        /// <summary>Weighs some shots again, those first whose hands are known better by now.</summary>
+        /// <summary>Weighs some shots again, those first whose hands are known better by now, after one line of those in doubt.</summary>
         public void Refresh(HandHistory history, long nowUs)
         {
+            if (_doubtedCount > 0)
+                TryAnew(_doubted[--_doubtedCount]);
             _gatheredUs = null;
             for (int i = Math.Max(0, _count - Newest); i < _count; i++)
             {
@@ -225,10 +242,12 @@ namespace LaserTracking.Fusion
             _next = Math.Max(0, _next - 1);
         }
 
-        private void Unlearn(int at)
+        private void Unlearn(int at) => Learn(at, -1);
+
+        private void Learn(int at, double share)
         {
             for (int i = 0; i < _shots[at].Lines; i++)
-                _sights.Add(_lines[at * LinesEach + i].PersonId, _lines[at * LinesEach + i].Evidence, -1);
+                _sights.Add(_lines[at * LinesEach + i].PersonId, _lines[at * LinesEach + i].Evidence, share);
         }
 
         /// <summary>The hands at the moment of the shot, now that camera 1 has seen them before and after it.</summary>
@@ -255,8 +274,8 @@ namespace LaserTracking.Fusion
             }
         }
 
-        /// <summary>Who fired, as far as all other shots tell, and what that tells of their lines.</summary>
-        private void Weigh(int at)
+        /// <summary>Who fired, as far as all other shots tell, and what that tells of their lines. Returns how likely the shot is so, 1 when it was weighed first.</summary>
+        private double Weigh(int at)
         {
             ref readonly Remembered shot = ref _shots[at];
             Span<double> weights = stackalloc double[LinesEach], cores = stackalloc double[LinesEach];
@@ -274,8 +293,7 @@ namespace LaserTracking.Fusion
             {
                 ref Line line = ref _lines[at * LinesEach + i];
                 line.Evidence = default;
-                line.Share = line.Claim = weights[i] / sum;
-                line.Kept = line.Factor > 0 ? line.Factor * cores[i] / sum : line.Claim;
+                line.Share = weights[i] / sum;
                 if (!(line.Share >= _settings.LearnProbability) || !(line.Factor > 0) || !_sights.TryEyes(line.PersonId, out Vector3D eyes))
                     continue;
                 double still = 1 / (1 + (eyes - line.EyeM).LengthSquared / (MovedM * MovedM));
@@ -285,6 +303,8 @@ namespace LaserTracking.Fusion
                     line.Evidence.SpreadSum = line.Evidence.SpreadCount = 0;
                 _sights.Add(line.PersonId, line.Evidence, 1);
             }
+
+            return sum;
         }
 
         private static double SigmaM(double seenM, bool isSwing) => isSwing ? Math.Sqrt(seenM * seenM + SwingSigmaM * SwingSigmaM) : seenM;

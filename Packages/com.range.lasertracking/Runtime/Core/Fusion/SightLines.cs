@@ -202,13 +202,20 @@ namespace LaserTracking.Fusion
             e.HasPivot = false;
         }
 
-        /// <summary>What lines fired long ago told is no more believed.</summary>
-        public void Forget(int personId)
+        /// <summary>What lines fired long ago told, that are weighed no more.</summary>
+        public SightEvidence Old(int personId)
+        {
+            int at = IndexOf(personId);
+            return at < 0 ? default : _entries[at].Old;
+        }
+
+        /// <summary>Puts that back, or with nothing believes it no more.</summary>
+        public void SetOld(int personId, in SightEvidence old)
         {
             int at = IndexOf(personId);
             if (at < 0)
                 return;
-            _entries[at].Old = default;
+            _entries[at].Old = old;
             _entries[at].HasPivot = false;
         }
 

@@ -25,8 +25,8 @@ namespace LaserTracking.Fusion
 
         /// <summary>Places along the weapon that are looked at: from a little behind the muzzle to behind the fist.</summary>
         private const int Places = 7;
-        private const double FirstM = 0.03;
-        private const double StepM = 0.02;
+        private const double FirstMm = 30;
+        private const double StepMm = 20;
 
         /// <summary>That many of them tell.</summary>
         private const int FreePlaces = 5;
@@ -57,10 +57,17 @@ namespace LaserTracking.Fusion
         private readonly HandCamera _camera;
         private readonly SightLines _sights;
 
+        /// <summary>From one of those dots to the next, camera space, mm.</summary>
+        private readonly Vector3D _asideMm;
+        private readonly Vector3D _aboveMm;
+
         public WeaponPlace(HandCamera camera, SightLines sights)
         {
             _camera = camera;
             _sights = sights;
+            Vector3D origin = camera.ToCameraMm(default);
+            _asideMm = camera.ToCameraMm(new Vector3D(AsideM, 0, 0)) - origin;
+            _aboveMm = camera.ToCameraMm(new Vector3D(0, AboveM, 0)) - origin;
         }
 
         /// <summary>
@@ -72,8 +79,10 @@ namespace LaserTracking.Fusion
                 || !_sights.TryPivot(personId, dotM - pivot, out _, out double sigma, out _))
                 return 1;
             double known = 1 - Math.Exp(-BesideM * BesideM / (2 * sigma * sigma));
-            Sight here = Look(depth, pivot, dotM, reach);
-            Elsewhere(depth, pivot, dotM, reach, out double covered, out double filled);
+            Vector3D pivotMm = _camera.ToCameraMm(pivot), dotMm = _camera.ToCameraMm(dotM);
+            double reachMm = reach / Axes.MetresPerMillimetre;
+            Sight here = Look(depth, pivotMm, dotMm, reachMm);
+            Elsewhere(depth, pivotMm, dotMm, reachMm, out double covered, out double filled);
             double unseen = OverlookedShare * (1 - covered) + covered;
             double factor = here == Sight.Covered ? 1 / unseen
                 : here == Sight.Filled ? OverlookedShare * (1 - covered) / (unseen * filled)
@@ -82,7 +91,7 @@ namespace LaserTracking.Fusion
         }
 
         /// <summary>Shares of other places in which the picture shows something before, or there. Neither is ever excluded.</summary>
-        private void Elsewhere(SeenDepth depth, Vector3D pivot, Vector3D dotM, double reach, out double covered, out double filled)
+        private void Elsewhere(SeenDepth depth, Vector3D pivotMm, Vector3D dotMm, double reachMm, out double covered, out double filled)
         {
             int all = 0, near = 0, at = 0;
             for (int row = -Rows; row <= Rows; row++)
@@ -91,7 +100,7 @@ namespace LaserTracking.Fusion
                 {
                     if (column == 0)
                         continue;
-                    Sight sight = Look(depth, pivot, dotM + new Vector3D(column * AsideM, row * AboveM, 0), reach);
+                    Sight sight = Look(depth, pivotMm, dotMm + _asideMm * column + _aboveMm * row, reachMm);
                     all++;
                     near += sight == Sight.Covered ? 1 : 0;
                     at += sight == Sight.Filled ? 1 : 0;
@@ -102,22 +111,25 @@ namespace LaserTracking.Fusion
             filled = (at + 0.5) / (all + 1.5);
         }
 
-        private Sight Look(SeenDepth depth, Vector3D pivot, Vector3D dotM, double reach)
+        private static Sight Look(SeenDepth depth, Vector3D pivotMm, Vector3D dotMm, double reachMm)
         {
-            Vector3D aim = (dotM - pivot).Normalized, muzzle = _camera.ToCameraMm(pivot + aim * (reach - FirstM));
-            Vector3D step = _camera.ToCameraMm(pivot + aim * (reach - FirstM - StepM)) - muzzle;
+            Vector3D aim = (dotMm - pivotMm).Normalized, place = pivotMm + aim * (reachMm - FirstMm), step = aim * StepMm;
             int free = 0, filled = 0;
-            for (int i = 0; i < Places; i++)
+            for (int i = 0; i < Places; i++, place -= step)
             {
-                Vector3D place = muzzle + step * i;
                 int seen = depth.TowardsMm(place);
                 if (seen > place.Z + FartherMm)
-                    free++;
+                {
+                    if (++free == FreePlaces)
+                        return Sight.Free;
+                }
                 else if (seen >= place.Z - NearerMm && seen > 0)
+                {
                     filled++;
+                }
             }
 
-            return free >= FreePlaces ? Sight.Free : filled >= FilledPlaces ? Sight.Filled : Sight.Covered;
+            return filled >= FilledPlaces ? Sight.Filled : Sight.Covered;
         }
     }
 }

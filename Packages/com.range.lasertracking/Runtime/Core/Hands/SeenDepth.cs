@@ -16,6 +16,10 @@ namespace LaserTracking.Hands
         private int _height;
         private int _stepPx;
 
+        /// <summary>The view's focal lengths and centre in cells.</summary>
+        private Vector2D _focal;
+        private Vector2D _origin;
+
         /// <summary>False where the frame had no depth picture, or whoever found the hands keeps none.</summary>
         public bool IsPresent { get; private set; }
 
@@ -33,9 +37,9 @@ namespace LaserTracking.Hands
         /// <summary>Distance along z of what is seen in the direction of a point in camera space, mm; 0 outside the picture and where nothing was measured.</summary>
         public int TowardsMm(Vector3D pointMm)
         {
-            if (!IsPresent || _view == null || !_view.TryProject(pointMm, out Vector2D px))
+            if (!IsPresent || !(pointMm.Z > 0))
                 return 0;
-            double column = (px.X + 0.5) / _stepPx, row = (px.Y + 0.5) / _stepPx;
+            double perZ = 1 / pointMm.Z, column = _focal.X * pointMm.X * perZ + _origin.X, row = _focal.Y * pointMm.Y * perZ + _origin.Y;
             return column >= 0 && row >= 0 && column < _width && row < _height ? _cells[(int)row * _width + (int)column] : 0;
         }
 
@@ -62,6 +66,8 @@ namespace LaserTracking.Hands
             _height = height;
             _stepPx = stepPx;
             _view = view;
+            _focal = view == null ? default : new Vector2D(view.FocalXPx, view.FocalYPx) * (1.0 / stepPx);
+            _origin = view == null ? new Vector2D(-1, -1) : new Vector2D(view.CenterXPx + 0.5, view.CenterYPx + 0.5) * (1.0 / stepPx);
         }
     }
 }

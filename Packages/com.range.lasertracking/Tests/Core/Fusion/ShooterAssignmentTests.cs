@@ -246,6 +246,27 @@ namespace LaserTracking.Fusion
             Assert.That(SightError(two, people, 12_000_000), Is.LessThan(0.3 * before));
         }
 
+        [TestCase(0.15)]
+        [TestCase(0.4)]
+        public void Fuse_ShotPastAWellKnownLine_LeavesIt(double asideM)
+        {
+            var aimed = new Vector3D(1.4, 0.9, -2.9);
+            PersonObservation[] people = { Person(1, aimed + new Vector3D(0.08, 0, 0)) };
+            for (int i = 0; i < 8; i++)
+                Fire(i * 1_000_000L, new Vector2D(0.5 + 0.3 * (i % 5), 0.5 + 0.3 * (i % 3)), default);
+            double before = SightError(aimed, people, 9_000_000, 1);
+            Fire(10_000_000, new Vector2D(1.2, 0.8), new Vector2D(asideM, 0));
+            Assert.That(SightError(aimed, people, 12_000_000, 1), Is.LessThan(before + 0.003));
+
+            void Fire(long timeUs, Vector2D dot, Vector2D aside)
+            {
+                SeePeople(timeUs, people, Aimed(1, aimed, dot));
+                _assignment.Fuse(Shot(timeUs, LaserColor.Green), dot + aside);
+                for (int frame = 1; frame < 20; frame++)
+                    SeePeople(timeUs + frame * 33_000L, people, Aimed(1, aimed, dot));
+            }
+        }
+
         [Test]
         public void Fuse_FiftyShotsAtOnce_StaysBoundedAndGivesOneEach()
         {
@@ -281,10 +302,10 @@ namespace LaserTracking.Fusion
         }
 
         /// <summary>How far from their line of sight a shot of the second person passes.</summary>
-        private double SightError(Vector3D pivot, PersonObservation[] people, long timeUs)
+        private double SightError(Vector3D pivot, PersonObservation[] people, long timeUs, int person = 2)
         {
             var dot = new Vector2D(2.9, 0.6);
-            SeePeople(timeUs, people, Aimed(2, pivot, dot));
+            SeePeople(timeUs, people, Aimed(person, pivot, dot));
             return _assignment.Fuse(Shot(timeUs, LaserColor.Unknown), dot).SightErrorRad;
         }
 

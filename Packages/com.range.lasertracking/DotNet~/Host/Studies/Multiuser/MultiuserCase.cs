@@ -51,7 +51,7 @@ namespace LaserTracking.Host.Studies.Multiuser
                 yield return new MultiuserCase(shooters + ", depth frames lost", shooters, true, (s, _) => s.DepthCamera.DroppedShare = 0.4);
                 yield return new MultiuserCase(shooters + ", depth at 15 Hz", shooters, true, (s, _) => s.DepthCamera.FramesPerSecond = 15);
                 yield return new MultiuserCase(shooters + ", depth 70 ms late", shooters, true, (s, _) => s.DepthCamera.ClockOffsetUs = 70_000);
-                yield return new MultiuserCase(shooters + ", 10 min at 100 ppm", shooters, true, (s, _) =>
+                yield return new MultiuserCase(shooters + ", clock drift, 10 min at 100 ppm", shooters, true, (s, _) =>
                 {
                     s.DepthCamera.ClockOffsetUs = 60_000;
                     s.DepthCamera.ClockDriftPpm = 100;
