@@ -34,6 +34,8 @@ namespace UnityEngine
 
         public float depth { get; set; }
 
+        public Rect rect { get; set; }
+
         public int pixelWidth => Desk.Width;
 
         public int pixelHeight => Desk.Height;
@@ -45,6 +47,7 @@ namespace UnityEngine
             targetDisplay = other.targetDisplay;
             targetTexture = other.targetTexture;
             depth = other.depth;
+            rect = other.rect;
             transform.position = other.transform.position;
             transform.rotation = other.transform.rotation;
         }

@@ -69,6 +69,20 @@ namespace LaserTracking.Unity
             Assert.That(PlayerLoop.All<Camera>(), Has.Count.EqualTo(1), "no copy draws for nothing");
         }
 
+        [Test]
+        public void RenderedPictures_WindowOfAnotherShape_AreDrawnInThatShape()
+        {
+            using var moving = new MovingPicture(4, 1);
+            RangeRig.AddMainCamera();
+            SerializedFields.Set(moving.Rig.Range, "_viewpoint", null);
+            moving.Rig.Range.gameObject.AddComponent<RenderedPictures>();
+            int frame = 0;
+            moving.Play(() => Desk.Height = frame++ < 30 ? 1080 : 1440);
+            RenderTexture drawn = PlayerLoop.All<Camera>().Single(camera => camera.targetTexture != null).targetTexture;
+            Assert.That((drawn.width, drawn.height), Is.EqualTo((640, 480)));
+            Assert.That(GraphicsCard.Textures, Is.EqualTo(1));
+        }
+
         private static void AssertFoundAll(MovingPicture moving)
         {
             Assert.That(ConsoleLog.Entries.Where(entry => entry.Message.Contains("RenderedPictures")), Is.Empty);

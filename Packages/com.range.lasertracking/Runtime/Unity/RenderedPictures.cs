@@ -114,14 +114,16 @@ namespace LaserTracking.Unity
         private void Take(AsyncGPUReadbackRequest request)
         {
             long drawnUs = _drawnUs.Dequeue();
+
+            // Switched off meanwhile, or gone.
+            if (_inbox == null)
+                return;
             if (request.hasError)
             {
                 Tell("a picture could not be read back from the graphics card; while that is so, what the projector shows is not known");
                 return;
             }
 
-            if (_inbox == null)
-                return;
             int count = request.width * request.height;
             if (_pixels.Length != count)
                 _pixels = new Color32[count];
@@ -138,16 +140,19 @@ namespace LaserTracking.Unity
                 return;
             }
 
-            if (_copy == null || _small == null)
+            int width = Math.Max(1, Math.Min(RenderedFrameHistory.MaxWidthPx, shown.pixelWidth));
+            int height = Math.Max(1, width * shown.pixelHeight / Math.Max(1, shown.pixelWidth));
+            if (_copy == null || _small == null || _small.width != width || _small.height != height)
             {
-                int width = Math.Min(RenderedFrameHistory.MaxWidthPx, shown.pixelWidth);
-                _small = new RenderTexture(width, Math.Max(1, width * shown.pixelHeight / Math.Max(1, shown.pixelWidth)), 24);
+                DropCopy();
+                _small = new RenderTexture(width, height, 24);
                 _copy = new GameObject("Rendered Pictures' copy of " + shown.name).AddComponent<Camera>();
             }
 
-            // With its place; the texture and the turn are its own. Before the other, so that it is done when that is.
+            // With its place; texture, part of it and turn are its own. Before the other, so that it is done when that is.
             _copy.CopyFrom(shown);
             _copy.targetTexture = _small;
+            _copy.rect = new Rect(0, 0, 1, 1);
             _copy.depth = shown.depth - 1;
         }
 

@@ -9,6 +9,6 @@ namespace LaserTracking.Host.Studies
     /// <param name="Only">Run only the cases whose names contain one of these, separated by commas; null: all.</param>
     internal sealed record StudyOptions(int FirstSeed, int LastSeed, ProgressLine Progress, string? Only = null)
     {
-        public bool Includes(string caseName) => Only == null || System.Linq.Enumerable.Any(Only.Split(','), part => caseName.Contains(part, System.StringComparison.OrdinalIgnoreCase));
+        public bool Includes(string caseName) => Only == null || System.Linq.Enumerable.Any(Only.Split(',', System.StringSplitOptions.RemoveEmptyEntries | System.StringSplitOptions.TrimEntries), part => caseName.Contains(part, System.StringComparison.OrdinalIgnoreCase));
     }
 }

@@ -41,6 +41,9 @@ namespace LaserTracking.Host.Studies.Multiuser
         /// <summary>Per raised weapon hand in view and depth frame.</summary>
         public List<SaidPalm> Palms { get; } = new();
 
+        /// <summary>How often the number of a hand among those palms went over to another person's.</summary>
+        public int Swaps { get; private set; }
+
         public List<HealthEvent> Health { get; } = new();
 
         public TrackMetrics Tracks { get; private set; } = new();
@@ -143,14 +146,21 @@ namespace LaserTracking.Host.Studies.Multiuser
         {
             ILookup<int, HandEvent> byFrame = _hands.ToLookup(h => h.FrameIndex);
             int[] firing = _range.Truth.Shots.Select(s => s.Shooter).Distinct().ToArray();
+            var owners = new Dictionary<int, int>();
             for (int frame = 30; frame < _range.Truth.DepthFrameCount; frame += 3)
             {
                 SaidPalm[] said = SaidPalm.Match(_range, frame, byFrame[frame].ToArray());
                 foreach (int shooter in firing)
                 {
                     TrueHand hand = _range.Truth.HandAt(shooter, _range.Truth.DepthFrameTimeUs(frame));
-                    if (IsInView(hand) && IsRaised(hand))
-                        Palms.Add(said[shooter - 1]);
+                    if (!IsInView(hand) || !IsRaised(hand))
+                        continue;
+                    SaidPalm palm = said[shooter - 1];
+                    Palms.Add(palm);
+                    if (palm.IsFound && owners.TryGetValue(palm.TrackId, out int before) && before != shooter)
+                        Swaps++;
+                    if (palm.IsFound)
+                        owners[palm.TrackId] = shooter;
                 }
             }
         }

@@ -11,7 +11,7 @@ namespace LaserTracking.Host.Studies.Multiuser
     {
         public static readonly string[] Columns =
         {
-            "case", "right", "wrong", "unknown", "switches", "side right", "MOTA %", "IDF1 %", "arm seen %", "muzzle mm", "p95", "palm mm", "p95 ", "stated %", "withheld %", "direction °", "pair ms",
+            "case", "right", "wrong", "unknown", "switches", "swaps", "side right", "MOTA %", "IDF1 %", "arm seen %", "muzzle mm", "p95", "palm mm", "p95 ", "stated %", "withheld %", "direction °", "pair ms",
         };
 
         /// <summary>Hands hold still longer than that.</summary>
@@ -20,6 +20,7 @@ namespace LaserTracking.Host.Studies.Multiuser
         private readonly List<NamedShot> _shots = new();
         private readonly List<SaidPalm> _palms = new();
         private readonly List<TrackMetrics> _tracks = new();
+        private int _swaps;
         private readonly List<(double OffsetMs, double? SaidMs)> _clocks = new();
 
         public IReadOnlyList<NamedShot> Shots => _shots;
@@ -31,6 +32,7 @@ namespace LaserTracking.Host.Studies.Multiuser
             _shots.AddRange(run.Shots);
             _palms.AddRange(run.Palms);
             _tracks.Add(run.Tracks);
+            _swaps += run.Swaps;
             _clocks.Add((run.ClockOffsetMs, run.ClockSaidMs));
         }
 
@@ -52,7 +54,7 @@ namespace LaserTracking.Host.Studies.Multiuser
             double[] muzzles = _shots.Where(s => s.HasRightMuzzle && s.IsArmSeen).Select(s => s.MuzzleErrorMm).ToArray();
             double[] palms = _palms.Where(p => p.IsStated).Select(p => p.ErrorMm).ToArray();
             NamedShot[] sided = _shots.Where(s => s.IsSideSaid).ToArray(), paired = _shots.Where(s => s.HasRightMuzzle).ToArray();
-            table.Add(name, Share(s => s.IsRight), Share(s => s.IsNamed && !s.IsRight), Share(s => !s.IsNamed), _shots.Count(s => s.IsSwitch),
+            table.Add(name, Share(s => s.IsRight), Share(s => s.IsNamed && !s.IsRight), Share(s => !s.IsNamed), _shots.Count(s => s.IsSwitch), _swaps,
                 new Proportion(sided.Count(s => s.Said.Hand == s.Fired.Hand), sided.Length),
                 100 * _tracks.Average(t => t.Mota), 100 * _tracks.Average(t => t.IdentityF1),
                 100.0 * _shots.Count(s => s.IsArmSeen) / Math.Max(1, _shots.Count),

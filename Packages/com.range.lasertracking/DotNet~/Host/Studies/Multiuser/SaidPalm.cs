@@ -11,7 +11,8 @@ namespace LaserTracking.Host.Studies.Multiuser
     /// <summary>What was said of one true palm in one frame.</summary>
     /// <param name="ErrorMm">How far off it was; infinite where no hand was said to be there.</param>
     /// <param name="SigmaMm">Its standard deviation as stated; 0: it was not stated.</param>
-    internal readonly record struct SaidPalm(double ErrorMm, double SigmaMm)
+    /// <param name="TrackId">The hand's number; 0 where none was said to be there.</param>
+    internal readonly record struct SaidPalm(double ErrorMm, double SigmaMm, int TrackId)
     {
         /// <summary>A palm farther off is somebody else's.</summary>
         private const double OwnHandM = 0.3;
@@ -33,7 +34,7 @@ namespace LaserTracking.Host.Studies.Multiuser
             Vector3D[] palms = people.Select(s => range.Truth.HandAt(s, timeUs).PalmM)
                 .Concat(people.Where(s => !range.Scenario.Shooters[s - 1].TwoHanded).Select(s => range.Truth.SupportPalmAt(s, timeUs))).ToArray();
             var said = new SaidPalm[people.Length];
-            Array.Fill(said, new SaidPalm(double.PositiveInfinity, 0));
+            Array.Fill(said, new SaidPalm(double.PositiveInfinity, 0, 0));
             int columns = palms.Length + hands.Count;
             var costs = new double[hands.Count * columns];
             for (int i = 0; i < hands.Count; i++)
@@ -50,7 +51,7 @@ namespace LaserTracking.Host.Studies.Multiuser
             for (int i = 0; i < hands.Count; i++)
             {
                 if (chosen[i] >= 0 && chosen[i] < people.Length)
-                    said[chosen[i]] = new SaidPalm(1000 * (hands[i].PalmM - palms[chosen[i]]).Length, 1000 * hands[i].PalmSigmaM);
+                    said[chosen[i]] = new SaidPalm(1000 * (hands[i].PalmM - palms[chosen[i]]).Length, 1000 * hands[i].PalmSigmaM, hands[i].TrackId);
             }
 
             return said;
