@@ -41,7 +41,7 @@ namespace LaserTracking.Host.Studies.Multiuser
         /// <summary>Per raised weapon hand in view and depth frame.</summary>
         public List<SaidPalm> Palms { get; } = new();
 
-        /// <summary>How often the number of a hand among those palms went over to another person's.</summary>
+        /// <summary>How often the number of a hand whose palm was stated went over to another person's.</summary>
         public int Swaps { get; private set; }
 
         public List<HealthEvent> Health { get; } = new();
@@ -157,9 +157,9 @@ namespace LaserTracking.Host.Studies.Multiuser
                         continue;
                     SaidPalm palm = said[shooter - 1];
                     Palms.Add(palm);
-                    if (palm.IsFound && owners.TryGetValue(palm.TrackId, out int before) && before != shooter)
+                    if (palm.IsStated && owners.TryGetValue(palm.TrackId, out int before) && before != shooter)
                         Swaps++;
-                    if (palm.IsFound)
+                    if (palm.IsStated)
                         owners[palm.TrackId] = shooter;
                 }
             }

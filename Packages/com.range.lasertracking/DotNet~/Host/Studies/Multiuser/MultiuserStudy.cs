@@ -48,7 +48,7 @@ namespace LaserTracking.Host.Studies.Multiuser
             }
 
             table.Notes.InsertRange(0, CalibrationCurve.Describe(named).Concat(SaidPalm.Describe(tallies.SelectMany(t => t.Palms).ToArray())));
-            table.Notes.Add("dots from the truth but for \"whole pipeline\"; right: numbers stand for people one to one; switches: a person's number differs from their last named shot; swaps: a hand's number goes over to another person's weapon hand, in view, looked at ten times a second; MOTA and IDF1 of dots under their shooter's number");
+            table.Notes.Add("dots from the truth but for \"whole pipeline\"; right: numbers stand for people one to one; switches: a person's number differs from their last named shot; swaps: a hand's number goes over to another person's weapon hand, among palms that are stated, looked at ten times a second; MOTA and IDF1 of dots under their shooter's number");
             table.Notes.Add("muzzle where forearm, hand and muzzle are in view and the shooter is right; palms that are stated, of raised weapon hands in view, all hands and palms matched one to one within 0.3 m; withheld: found, but hidden or maybe another's; intervals 95 % (Wilson)");
             return table;
         }
