@@ -95,7 +95,13 @@ namespace LaserTracking.Hands
                 for (int f = 0; f < fits.Length; f++)
                 {
                     double distance = (fits[f].PalmMm - expected).Length;
-                    if (_fitTaken[f] || distance > gate || distance >= best)
+                    if (_fitTaken[f] || distance > gate || IsAnothers(_tracks[t], fits[f]))
+                        continue;
+
+                    // Whose hand it is goes before how near it is.
+                    if (fits[f].PersonId == 0 || _tracks[t].PersonId == 0)
+                        distance += gate;
+                    if (distance >= best)
                         continue;
                     best = distance;
                     bestTrack = t;
@@ -105,6 +111,9 @@ namespace LaserTracking.Hands
 
             return bestTrack >= 0;
         }
+
+        /// <summary>A hand's number stays with its person, however near another's hand comes.</summary>
+        private static bool IsAnothers(in HandTrack track, in ArmFit fit) => track.PersonId != 0 && fit.PersonId != 0 && fit.PersonId != track.PersonId;
 
         private void Continue(ref HandTrack track, in ArmFit fit, long timeUs, HandObservations observations)
         {

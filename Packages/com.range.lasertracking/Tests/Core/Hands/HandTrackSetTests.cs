@@ -1,0 +1,79 @@
+using System;
+using LaserTracking.Capture;
+using LaserTracking.Geometry;
+using LaserTracking.Kernels;
+using NUnit.Framework;
+
+namespace LaserTracking.Hands
+{
+    public sealed class HandTrackSetTests
+    {
+        private const long FrameUs = 33_333;
+
+        private DepthGrid _grid = null!;
+        private HandTrackSet _tracks = null!;
+        private HandObservations _hands = null!;
+
+        [SetUp]
+        public void SetUp()
+        {
+            var settings = new DepthHandSettings();
+            using var frame = new Frame();
+            new SolidScene { WallMm = 3500 }.Render(frame, 0, 0);
+            _grid = new DepthGrid(SolidScene.Camera, settings, KernelRunner.Plain);
+            _grid.Fill(frame.Depth);
+            _tracks = new HandTrackSet(settings);
+            _hands = new HandObservations();
+        }
+
+        [Test]
+        public void Update_OwnHandHiddenAndANeighboursNear_NumberIsNotTaken()
+        {
+            int own = Update(0, Fit(0, 1))[0].TrackId;
+            int neighbours = Update(1, Fit(100, 2))[0].TrackId;
+            Assert.That(neighbours, Is.Not.EqualTo(own));
+            HandObservation[] both = Update(2, Fit(70, 2), Fit(40, 1));
+            Assert.That(NumberOf(both, 1), Is.EqualTo(own));
+            Assert.That(NumberOf(both, 2), Is.EqualTo(neighbours));
+        }
+
+        [Test]
+        public void Update_HandsExchangePlaces_NumbersStayWithTheirPeople()
+        {
+            HandObservation[] before = Update(0, Fit(0, 1), Fit(60, 2));
+            HandObservation[] after = Update(1, Fit(60, 1), Fit(0, 2));
+            Assert.That(NumberOf(after, 1), Is.EqualTo(NumberOf(before, 1)));
+            Assert.That(NumberOf(after, 2), Is.EqualTo(NumberOf(before, 2)));
+        }
+
+        [Test]
+        public void Update_PersonKnownOnlyLater_NumberStays()
+        {
+            int number = Update(0, Fit(0, 0))[0].TrackId;
+            Assert.That(Update(1, Fit(10, 3))[0].TrackId, Is.EqualTo(number));
+            Assert.That(Update(2, Fit(20, 0))[0].TrackId, Is.EqualTo(number));
+            Assert.That(Update(3, Fit(30, 3))[0].TrackId, Is.EqualTo(number));
+        }
+
+        private static ArmFit Fit(double x, int person) => new ArmFit
+        {
+            PalmMm = new Vector3D(x, 0, 1500),
+            SurfaceMm = new Vector3D(x, 0, 1490),
+            MuzzleMm = new Vector3D(x, 0, 1300),
+            PalmSigmaMm = 8,
+            MuzzleSigmaMm = 8,
+            Axis = new Vector3D(0, 0, -1),
+            HasOneRoot = true,
+            PersonId = person,
+        };
+
+        private static int NumberOf(HandObservation[] hands, int person) => Array.Find(hands, h => h.PersonId == person).TrackId;
+
+        private HandObservation[] Update(int frame, params ArmFit[] fits)
+        {
+            _hands.Begin(frame, frame * FrameUs);
+            _tracks.Update(_grid, frame * FrameUs, fits, _hands);
+            return _hands.Hands.ToArray();
+        }
+    }
+}
