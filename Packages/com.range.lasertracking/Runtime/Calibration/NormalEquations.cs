@@ -1,6 +1,5 @@
 using System;
 using LaserTracking.Geometry;
-using MathNet.Numerics.LinearAlgebra;
 
 namespace LaserTracking.Calibration
 {
@@ -78,25 +77,23 @@ namespace LaserTracking.Calibration
         /// <summary>The step that solves the equations damped after Marquardt (1963), diagonal times 1 + λ; null when they are singular.</summary>
         public double[]? TryStep(double damping)
         {
-            try
-            {
-                Matrix<double>[] reductions = Reduce(damping, out Matrix<double> reduced, out Vector<double> right, out Vector<double>[] boardSteps);
-                var step = new double[Unknowns];
-                Vector<double>? cameraStep = _cameraUnknowns > 0 ? reduced.Cholesky().Solve(right) : null;
-                cameraStep?.AsArray().CopyTo(step, 0);
-                for (int b = 0; b < _v.Length; b++)
-                {
-                    Vector<double> board = cameraStep == null ? boardSteps[b] : boardSteps[b] - reductions[b] * cameraStep;
-                    board.AsArray().CopyTo(step, _cameraUnknowns + BoardUnknowns * b);
-                }
-
-                return step;
-            }
-            catch (ArgumentException)
-            {
-                // Not positive definite: more damping helps.
+            if (!TryReduce(damping, out double[,] reduced, out double[] cameraStep, out double[][,] reductions, out double[][] boardSteps) || !Cholesky.TryFactor(reduced))
                 return null;
+            Cholesky.Solve(reduced, cameraStep);
+            var step = new double[Unknowns];
+            cameraStep.CopyTo(step, 0);
+            for (int b = 0; b < _v.Length; b++)
+            {
+                Span<double> board = step.AsSpan(_cameraUnknowns + BoardUnknowns * b, BoardUnknowns);
+                for (int k = 0; k < BoardUnknowns; k++)
+                {
+                    board[k] = boardSteps[b][k];
+                    for (int i = 0; i < _cameraUnknowns; i++)
+                        board[k] -= reductions[b][i, k] * cameraStep[i];
+                }
             }
+
+            return step;
         }
 
         /// <summary>Standard deviations of the cameras' unknowns for measurement noise of sigma px along each axis.</summary>
@@ -118,7 +115,12 @@ namespace LaserTracking.Calibration
             var covariance = new double[_cameraUnknowns, _cameraUnknowns];
             if (_cameraUnknowns == 0)
                 return covariance;
-            Reduce(1e-12, out Matrix<double> reduced, out _, out _);
+            if (!TryReduce(1e-12, out double[,] reduced, out _, out _, out _))
+            {
+                for (int i = 0; i < _cameraUnknowns; i++)
+                    covariance[i, i] = double.MaxValue;
+                return covariance;
+            }
 
             // Scaled to a diagonal of ones: what is left small is a combination that the views do not determine.
             var scaled = new double[_cameraUnknowns, _cameraUnknowns];
@@ -141,38 +143,55 @@ namespace LaserTracking.Calibration
         /// <summary>Standard deviation of a board's tilt about the camera's x and y, the larger one, radians, were the cameras known.</summary>
         public double TiltDeviation(int board, double sigmaPx)
         {
-            Matrix<double> inverse = Damped(_v[board], 1e-12).Inverse();
+            double[,] factor = Damped(_v[board], 1e-12);
+            if (!Cholesky.TryFactor(factor))
+                return double.PositiveInfinity;
+            double[,] inverse = Cholesky.Inverse(factor);
             return sigmaPx * Math.Sqrt(Math.Max(inverse[0, 0], inverse[1, 1]));
         }
 
-        private Matrix<double>[] Reduce(double damping, out Matrix<double> reduced, out Vector<double> right, out Vector<double>[] boardSteps)
+        /// <summary>U − W V⁻¹ Wᵀ and its right side, of each board V⁻¹ Wᵀ (a row a camera unknown) and V⁻¹ g; false where a board's V is singular.</summary>
+        private bool TryReduce(double damping, out double[,] reduced, out double[] right, out double[][,] reductions, out double[][] boardSteps)
         {
-            int boards = _v.Length;
-            var reductions = new Matrix<double>[boards];
-            boardSteps = new Vector<double>[boards];
-            reduced = _cameraUnknowns > 0 ? Damped(_u, damping) : Matrix<double>.Build.Dense(1, 1);
-            right = _cameraUnknowns > 0 ? Vector<double>.Build.DenseOfArray(_cameraGradient) : Vector<double>.Build.Dense(1);
-            for (int b = 0; b < boards; b++)
+            reductions = new double[_v.Length][,];
+            boardSteps = new double[_v.Length][];
+            reduced = Damped(_u, damping);
+            right = (double[])_cameraGradient.Clone();
+            var column = new double[BoardUnknowns];
+            for (int b = 0; b < _v.Length; b++)
             {
-                var inverse = Damped(_v[b], damping).Cholesky();
-                boardSteps[b] = inverse.Solve(Vector<double>.Build.DenseOfArray(_boardGradients[b]));
-                if (_cameraUnknowns == 0)
-                    continue;
-                Matrix<double> w = Matrix<double>.Build.DenseOfArray(_w[b]);
-                reductions[b] = inverse.Solve(w.Transpose());
-                reduced -= w * reductions[b];
-                right -= w * boardSteps[b];
+                double[,] factor = Damped(_v[b], damping), w = _w[b];
+                if (!Cholesky.TryFactor(factor))
+                    return false;
+                boardSteps[b] = (double[])_boardGradients[b].Clone();
+                Cholesky.Solve(factor, boardSteps[b]);
+                reductions[b] = new double[_cameraUnknowns, BoardUnknowns];
+                for (int i = 0; i < _cameraUnknowns; i++)
+                {
+                    for (int k = 0; k < BoardUnknowns; k++)
+                    {
+                        column[k] = w[i, k];
+                        right[i] -= w[i, k] * boardSteps[b][k];
+                    }
+
+                    Cholesky.Solve(factor, column);
+                    for (int k = 0; k < BoardUnknowns; k++)
+                        reductions[b][i, k] = column[k];
+                    for (int j = 0; j < _cameraUnknowns; j++)
+                    for (int k = 0; k < BoardUnknowns; k++)
+                        reduced[j, i] -= w[j, k] * column[k];
+                }
             }
 
-            return reductions;
+            return true;
         }
 
-        private static Matrix<double> Damped(double[,] block, double damping)
+        private static double[,] Damped(double[,] block, double damping)
         {
-            Matrix<double> matrix = Matrix<double>.Build.DenseOfArray(block);
-            for (int i = 0; i < matrix.RowCount; i++)
-                matrix[i, i] = block[i, i] * (1 + damping) + double.Epsilon;
-            return matrix;
+            var damped = (double[,])block.Clone();
+            for (int i = 0; i < damped.GetLength(0); i++)
+                damped[i, i] = block[i, i] * (1 + damping) + double.Epsilon;
+            return damped;
         }
 
         /// <summary>
@@ -230,16 +249,16 @@ namespace LaserTracking.Calibration
             for (int i = 0; i < own; i++)
             {
                 for (int j = 0; j < own; j++)
-                    _u[start + i, start + j] += sums.Normal[i, j];
+                    _u[start + i, start + j] += sums.Normal(i, j);
                 for (int j = 0; j < BoardUnknowns; j++)
-                    _w[board][start + i, j] += sums.Normal[i, own + j];
+                    _w[board][start + i, j] += sums.Normal(i, own + j);
                 _cameraGradient[start + i] += sums.Gradient[i];
             }
 
             for (int i = 0; i < BoardUnknowns; i++)
             {
                 for (int j = 0; j < BoardUnknowns; j++)
-                    _v[board][i, j] += sums.Normal[own + i, own + j];
+                    _v[board][i, j] += sums.Normal(own + i, own + j);
                 _boardGradients[board][i] += sums.Gradient[own + i];
             }
         }
@@ -247,23 +266,29 @@ namespace LaserTracking.Calibration
         /// <summary>JᵀJ and Jᵀr of one view.</summary>
         private sealed class LocalSums
         {
+            private readonly double[] _lower;
+            private readonly int _size;
+
             public LocalSums(int size)
             {
-                Normal = new double[size, size];
+                _size = size;
+                _lower = new double[size * size];
                 Gradient = new double[size];
             }
 
-            public double[,] Normal { get; }
-
             public double[] Gradient { get; }
+
+            public double Normal(int i, int j) => i >= j ? _lower[i * _size + j] : _lower[j * _size + i];
 
             public void Add(ReadOnlySpan<double> row, double residual)
             {
                 for (int i = 0; i < row.Length; i++)
                 {
-                    for (int j = 0; j < row.Length; j++)
-                        Normal[i, j] += row[i] * row[j];
-                    Gradient[i] += row[i] * residual;
+                    double factor = row[i];
+                    Span<double> sums = _lower.AsSpan(i * _size, i + 1);
+                    for (int j = 0; j < sums.Length; j++)
+                        sums[j] += factor * row[j];
+                    Gradient[i] += factor * residual;
                 }
             }
         }

@@ -2,8 +2,8 @@ using System;
 
 namespace LaserTracking.Geometry
 {
-    /// <summary>Small symmetric positive definite systems by Cholesky's factorisation (Golub and Van Loan, 4.2).</summary>
-    internal static class Cholesky
+    /// <summary>Small symmetric positive definite systems by Cholesky's factorisation (Golub and Van Loan, 4.2). Square matrices, row and column; any thread.</summary>
+    public static class Cholesky
     {
         /// <summary>Turns the lower half into L with L Lᵀ = A; false when A is not positive definite (to within rounding).</summary>
         public static bool TryFactor(double[,] a)
