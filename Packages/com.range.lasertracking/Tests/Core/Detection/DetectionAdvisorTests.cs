@@ -13,6 +13,7 @@ namespace LaserTracking.Detection
         };
 
         [Test]
+        [Category("Long")]
         public void Advisor_QuietWall_SaysWhereTheDetectorBegins()
         {
             DetectionAdvice advice = Advise(new DetectionRun(), (b, i) => b.Wall(60, 60, 60));
@@ -25,6 +26,7 @@ namespace LaserTracking.Detection
 
         [TestCase(6, 1)]
         [TestCase(12, 1.2)]
+        [Category("Long")]
         public void Advisor_NoisyWall_NeedsMoreThanAQuietOne(double noiseSigma, double factor)
         {
             var noisy = new DetectionRun();

@@ -15,6 +15,7 @@ namespace LaserTracking.Detection
         [TestCase(1.5)]
         [TestCase(2)]
         [TestCase(3)]
+        [Category("Long")]
         public void Process_RimmedHeadComesFromBehindAnother_IsNoShot(double pxPerFrame)
         {
             foreach (int height in new[] { 6, 8, 11 })

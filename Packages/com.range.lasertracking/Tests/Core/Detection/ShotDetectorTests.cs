@@ -92,6 +92,7 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        [Category("Long")]
         public void Process_DotWhoseFirstFrameIsFaint_IsWeighedAgainInTheChannelThatGrew([Values(0.01, 0.02, 0.03, 0.04)] double first, [Values(1u, 2u, 4u, 27u)] uint seed)
         {
             var run = new DetectionRun(null, 640, 360, seed: seed * 2654435761);

@@ -13,6 +13,7 @@ namespace LaserTracking.Fusion
     public sealed class SimulatedShootersTests
     {
         [Test]
+        [Category("Long")]
         public void Fuse_TwoShootersSideBySide_NearlyAllRightAndNoneWrong()
         {
             var scenario = new SimulationScenario { Name = "two shooters", Seed = 301, DurationS = 20 };

@@ -29,6 +29,7 @@ namespace LaserTracking.Geometry
         }
 
         [Test]
+        [Category("Long")]
         public void LensTable_PixelsBesideThePictureOrWithoutRay_AreRefused()
         {
             LensTable table = LensTable.Within(Camera);

@@ -18,6 +18,7 @@ namespace LaserTracking.Geometry
         [TestCase(-0.05, 0.05, 0, 0, 0.85, 0.95)]
         [TestCase(-0.008, 0.008, -0.004, 0.004, 0.85, 0.97)]
         [TestCase(0, 0, 0, 0, 0.85, 0.97)]
+        [Category("Long")]
         public void PlaneLens_ManyRooms_NinetyPercentEllipsesHoldNinetyPercent(double leastK1, double mostK1, double leastK2, double mostK2, double least, double most)
         {
             var random = new Random(5);

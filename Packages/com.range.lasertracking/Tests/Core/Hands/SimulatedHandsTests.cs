@@ -13,6 +13,7 @@ namespace LaserTracking.Hands
         [TestCase(false, HandSide.Right, 1.9)]
         [TestCase(true, HandSide.Right, 2.4)]
         [TestCase(true, HandSide.Left, 2.4)]
+        [Category("Long")]
         public void Process_WeaponRaised_PalmAndMuzzleWithinTheAskedDistances(bool twoHanded, HandSide side, double distanceM)
         {
             var scenario = new SimulationScenario { Seed = 41, DurationS = 5 };

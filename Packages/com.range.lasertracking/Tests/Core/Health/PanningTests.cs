@@ -20,6 +20,7 @@ namespace LaserTracking.Health
         [TestCase(-3, 3)]
         [TestCase(8, 0, Category = "Long")]
         [TestCase(25, -10)]
+        [Category("Long")]
         public void PictureMonitor_PictureThatFillsTheViewPans_IsNoMovedCamera(double x, double y)
         {
             MonitorRun run = Play(10, t => new Vector2D(x, y) * t);
@@ -31,6 +32,7 @@ namespace LaserTracking.Health
         [TestCase(-4, 4, 2.5, Category = "Long")]
         [TestCase(6, 0, 1.2)]
         [TestCase(0, 15, 4.0)]
+        [Category("Long")]
         public void PictureMonitor_PanThatStartsAndStops_IsNoMovedCamera(double x, double y, double seconds)
         {
             // Rests for three seconds, pans, rests for four, pans back, rests.
@@ -63,6 +65,7 @@ namespace LaserTracking.Health
         [TestCase(0.0, 7.0, 15)]
         [TestCase(-12.0, 4.0, 30)]
         [TestCase(24.0, -21.0, 15)]
+        [Category("Long")]
         public void PictureMonitor_CameraThatSteps_IsSaidWithinFiveSeconds(double x, double y, int framesPerSecond)
         {
             // Over in a fifth of a second, with an overshoot.

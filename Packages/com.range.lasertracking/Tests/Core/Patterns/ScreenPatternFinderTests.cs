@@ -24,6 +24,7 @@ namespace LaserTracking.Patterns
         [TestCase(1)]
         [TestCase(2)]
         [TestCase(3)]
+        [Category("Long")]
         public void Find_TurnedProjector_KeepsIdentities(int quarterTurns)
         {
             Vector2D[] corners = { new Vector2D(30, 20), new Vector2D(350, 20), new Vector2D(350, 340), new Vector2D(30, 340) };
@@ -45,6 +46,7 @@ namespace LaserTracking.Patterns
         [TestCase(1, 0, 3, 2)]
         [TestCase(2, 3, 0, 1)]
         [TestCase(0, 0, 1, 1, 2, 2, 3, 3)]
+        [Category("Long")]
         public void Find_InAnyOrder_FindsBoth(params int[] pictures)
         {
             using var view = new ProjectedView(480, 320, Keystone);
@@ -98,6 +100,7 @@ namespace LaserTracking.Patterns
         }
 
         [Test]
+        [Category("Long")]
         public void Find_CameraMovedBetweenPictures_SaysHowFar()
         {
             using var before = new ProjectedView(480, 320, Keystone);
@@ -151,6 +154,7 @@ namespace LaserTracking.Patterns
         }
 
         [Test]
+        [Category("Long")]
         public void Find_SimulatedRoomWithLensAndPerson_CalibratesWithinAMillimetre()
         {
             var scenario = new SimulationScenario { Seed = 4, DurationS = 0.5 };

@@ -31,6 +31,7 @@ namespace LaserTracking.Patterns
 
         [TestCase(640, 360)]
         [TestCase(683, 384)]
+        [Category("Long")]
         public void Draw_PictureAndItsInverse_AreTogetherWhite(int width, int height)
         {
             var pattern = new ScreenPattern(width, height);

@@ -36,18 +36,21 @@ namespace LaserTracking.Pipeline
         }
 
         [Test]
+        [Category("Long")]
         public void RangePipeline_SameInputTwice_WritesTheSameBytes()
         {
             Assert.That(Events(SmallRange(), false), Is.EqualTo(Events(SmallRange(), false)));
         }
 
         [Test]
+        [Category("Long")]
         public void RangePipeline_SourcesReadAheadOnOtherThreads_WritesTheSameBytes()
         {
             Assert.That(Events(SmallRange(), true), Is.EqualTo(Events(SmallRange(), false)));
         }
 
         [Test]
+        [Category("Long")]
         public void RangePipeline_EventsFile_IsInOrderOfTime()
         {
             long last = long.MinValue;
@@ -84,6 +87,7 @@ namespace LaserTracking.Pipeline
         }
 
         [Test]
+        [Category("Long")]
         public void RangePipeline_FramesWithoutAPicture_AreCountedAndSaid()
         {
             SimulatedRange range = SmallRange();
@@ -101,6 +105,7 @@ namespace LaserTracking.Pipeline
         }
 
         [Test]
+        [Category("Long")]
         public void RangePipeline_TimeRunsBack_IsSaidAndDoesNotStop()
         {
             SimulatedRange range = SmallRange();
@@ -146,6 +151,7 @@ namespace LaserTracking.Pipeline
         }
 
         [Test]
+        [Category("Long")]
         public void RangePipeline_CameraOneNeverComes_ShotsGoOnWithoutAShooter()
         {
             SimulatedRange range = SmallRange();

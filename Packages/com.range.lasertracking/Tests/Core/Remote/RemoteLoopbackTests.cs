@@ -73,6 +73,7 @@ namespace LaserTracking.Remote
         }
 
         [Test]
+        [Category("Long")]
         public void Receiver_HostileFlood_LosesNoShotAndKeepsThePoseFresh()
         {
             var clock = new WallClock();

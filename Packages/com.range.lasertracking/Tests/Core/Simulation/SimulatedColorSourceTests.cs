@@ -268,6 +268,7 @@ namespace LaserTracking.Simulation
         }
 
         [Test]
+        [Category("Long")]
         public void SimulatedColorSource_DarkPersonBeforeMovingPicture_NothingOnThemIsBrighterThanThePictureIs()
         {
             SimulationScenario scenario = SimulationExamples.Linear(0.2);

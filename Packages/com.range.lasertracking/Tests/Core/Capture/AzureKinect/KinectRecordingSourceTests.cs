@@ -114,6 +114,7 @@ namespace LaserTracking.Capture.AzureKinect
 
         [TestCase(true)]
         [TestCase(false)]
+        [Category("Long")]
         public void KinectRecording_ThousandsOfClusters_SeeksExactlyWithABoundedIndex(bool withCues)
         {
             const int Captures = 10000;

@@ -13,6 +13,7 @@ namespace LaserTracking.Capture.AzureKinect
         [TestCase(EbmlBuilder.SizeField.Unknown, EbmlBuilder.SizeField.Unknown, false)]
         [TestCase(EbmlBuilder.SizeField.Zero, EbmlBuilder.SizeField.Right, true)]
         [TestCase(EbmlBuilder.SizeField.Right, EbmlBuilder.SizeField.TooLarge, true)]
+        [Category("Long")]
         public void KinectRecording_ThousandsOfDamagedFiles_AreSurvived(EbmlBuilder.SizeField segmentSize, EbmlBuilder.SizeField clusterSize, bool isUnfinished)
         {
             var mutator = new RecordingMutator(Create(segmentSize, clusterSize, isUnfinished));

@@ -59,6 +59,7 @@ namespace LaserTracking.Capture.Recording
         }
 
         [Test]
+        [Category("Long")]
         public void Flusher_FileThatIsBeingWritten_IsFlushedWhileItIs()
         {
             string path = Path.Combine(Path.GetTempPath(), "range-flusher-" + Guid.NewGuid().ToString("N"));

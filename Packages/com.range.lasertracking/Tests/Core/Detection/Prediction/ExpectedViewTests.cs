@@ -56,6 +56,7 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        [Category("Long")]
         public unsafe void Colors_OnceLearned_ExpectTheCameraToSeeALittleLessEverywhere()
         {
             SimulationScenario scenario = MovingRange.Scenario(6, 4);
@@ -148,6 +149,7 @@ namespace LaserTracking.Detection
         }
 
         [Test]
+        [Category("Long")]
         public void Pictures_FinerThanTheCameraSeesThem_AreReliedOnAllTheSame()
         {
             SimulationScenario scenario = MovingRange.Scenario(22, 4);
