@@ -40,6 +40,9 @@ namespace LaserTracking.Hands
         public Vector3D Sight;
         public int PersonId;
 
+        /// <summary>For how many frames the arm has been taken for another person's.</summary>
+        public int Mistakes;
+
         /// <summary>Right above zero, left below; limited, so that a new body side wins in time.</summary>
         public int SideVotes;
 

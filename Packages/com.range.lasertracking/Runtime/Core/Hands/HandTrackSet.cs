@@ -20,6 +20,15 @@ namespace LaserTracking.Hands
         /// <summary>Of a grip known worse the hand's surface tells as much.</summary>
         private const double GripKnownMm = 20;
 
+        /// <summary>A hand whose velocity is known comes so near to where it goes, and what 6 g take it off.</summary>
+        private const double SteadyMm = 60;
+        private const double AccelerationMmS2 = 60_000;
+
+        /// <summary>So near to where a hand goes it is that hand, whosever the arm is taken for, for so many frames; but its own person's is sooner, up to this farther off.</summary>
+        private const double SameHandMm = 40;
+        private const int MaxMistakes = 5;
+        private const double MistakenMm = 50;
+
         private readonly DepthHandSettings _settings;
         private readonly HandTrack[] _tracks;
         private readonly bool[] _trackTaken;
@@ -90,16 +99,17 @@ namespace LaserTracking.Hands
                 if (_trackTaken[t])
                     continue;
                 Vector3D expected = _tracks[t].Predict(timeUs);
-                double frames = Math.Min(3, Math.Max(1, (timeUs - _tracks[t].TimeUs) / NominalFrameUs));
-                double gate = _settings.TrackGateMm * Math.Sqrt(frames);
+                double gate = GateMm(_tracks[t], timeUs);
                 for (int f = 0; f < fits.Length; f++)
                 {
                     double distance = (fits[f].PalmMm - expected).Length;
-                    if (_fitTaken[f] || distance > gate || IsAnothers(_tracks[t], fits[f]))
+                    if (_fitTaken[f] || distance > gate || (IsAnothers(_tracks[t], fits[f]) && !IsMistaken(_tracks[t], distance)))
                         continue;
 
                     // Whose hand it is goes before how near it is.
-                    if (fits[f].PersonId == 0 || _tracks[t].PersonId == 0)
+                    if (IsAnothers(_tracks[t], fits[f]))
+                        distance += MistakenMm;
+                    else if (fits[f].PersonId == 0 || _tracks[t].PersonId == 0)
                         distance += gate;
                     if (distance >= best)
                         continue;
@@ -112,8 +122,18 @@ namespace LaserTracking.Hands
             return bestTrack >= 0;
         }
 
+        private double GateMm(in HandTrack track, long timeUs)
+        {
+            double seconds = (timeUs - track.TimeUs) * 1e-6, frames = Math.Min(3, Math.Max(1, (timeUs - track.TimeUs) / NominalFrameUs));
+            double gate = _settings.TrackGateMm * Math.Sqrt(frames);
+            return track.HasVelocity ? Math.Min(gate, SteadyMm + 0.5 * AccelerationMmS2 * seconds * seconds) : gate;
+        }
+
         /// <summary>A hand's number stays with its person, however near another's hand comes.</summary>
         private static bool IsAnothers(in HandTrack track, in ArmFit fit) => track.PersonId != 0 && fit.PersonId != 0 && fit.PersonId != track.PersonId;
+
+        /// <summary>Where two arms lie beside each other in the picture one may be taken for the other's; not for long.</summary>
+        private static bool IsMistaken(in HandTrack track, double distanceMm) => distanceMm <= SameHandMm && track.HasVelocity && track.Mistakes < MaxMistakes;
 
         private void Continue(ref HandTrack track, in ArmFit fit, long timeUs, HandObservations observations)
         {
@@ -214,8 +234,15 @@ namespace LaserTracking.Hands
                 track.WeaponUs = timeUs;
             }
 
-            if (fit.PersonId != 0)
+            if (IsAnothers(track, fit))
+            {
+                track.Mistakes++;
+            }
+            else if (fit.PersonId != 0)
+            {
                 track.PersonId = fit.PersonId;
+                track.Mistakes = 0;
+            }
         }
 
         /// <summary>

@@ -55,6 +55,41 @@ namespace LaserTracking.Hands
             Assert.That(Update(3, Fit(30, 3))[0].TrackId, Is.EqualTo(number));
         }
 
+        [Test]
+        public void Update_ArmTakenForAnothersForAFewFrames_NumberAndPersonStay()
+        {
+            int number = 0;
+            for (int i = 0; i < 3; i++)
+                number = Update(i, Fit(20 * i, 1))[0].TrackId;
+            for (int i = 3; i < 8; i++)
+            {
+                HandObservation hand = Update(i, Fit(20 * i, 2))[0];
+                Assert.That((hand.TrackId, hand.PersonId), Is.EqualTo((number, 1)), "frame " + i);
+            }
+
+            HandObservation anothers = Update(8, Fit(160, 2))[0];
+            Assert.That(anothers.PersonId, Is.EqualTo(2), "for good it is the other's");
+            Assert.That(anothers.TrackId, Is.Not.EqualTo(number));
+        }
+
+        [Test]
+        public void Update_HandFartherOffThanAnArmCanMoveIt_IsAnother([Values(110, 150)] double jumpMm)
+        {
+            int number = 0;
+            for (int i = 0; i < 3; i++)
+                number = Update(i, Fit(20 * i, 1))[0].TrackId;
+            Assert.That(Update(3, Fit(60 + jumpMm, 1))[0].TrackId, Is.Not.EqualTo(number));
+        }
+
+        [Test]
+        public void Update_HandStopsFromFullSpeed_NumberStays()
+        {
+            int number = 0;
+            for (int i = 0; i < 4; i++)
+                number = Update(i, Fit(80 * i, 1))[0].TrackId;
+            Assert.That(Update(4, Fit(240, 1))[0].TrackId, Is.EqualTo(number));
+        }
+
         private static ArmFit Fit(double x, int person) => new ArmFit
         {
             PalmMm = new Vector3D(x, 0, 1500),
