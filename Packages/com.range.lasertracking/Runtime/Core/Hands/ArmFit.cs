@@ -50,6 +50,9 @@ namespace LaserTracking.Hands
         public bool IsHandLost;
 
         public int PersonId;
+
+        /// <summary>Whose arm it seems by this frame alone; another than <see cref="PersonId"/> where the weapon was that one's a frame ago.</summary>
+        public int SeemsId;
         public HandSide Side;
 
         /// <summary>Distance along z at which a ray (z = 1) passes the forearm's line most closely; false when they run alike.</summary>

@@ -83,9 +83,17 @@ namespace LaserTracking.Hands
                     continue;
                 if (fit.WeaponDirection.LengthSquared > 0 && _people.TryOwner(fit.MuzzleMm, fit.WeaponDirection, arm.PersonId, out int owner, out Vector3D eye))
                     GiveTo(owner, eye, arm, ref fit);
+                int seems = fit.PersonId;
+                if (TryOtherHolder(fit, depth.TimeUs, out owner, out eye))
+                    GiveTo(owner, eye, arm, ref fit);
+                fit.SeemsId = seems;
                 _fits[count++] = fit;
-                if (fit.HasWeapon && count < _fits.Length && SecondWeapon.TryFind(_grid, _segmenter.CellsOf(arm), fit, _people, _upright, _settings, out ArmFit second))
-                    _fits[count++] = second;
+                if (!fit.HasWeapon || count == _fits.Length || !SecondWeapon.TryFind(_grid, _segmenter.CellsOf(arm), fit, _people, _upright, _settings, out ArmFit second))
+                    continue;
+                second.SeemsId = second.PersonId;
+                if (TryOtherHolder(second, depth.TimeUs, out owner, out eye))
+                    SecondWeapon.GiveTo(owner, eye, _upright, _settings, ref second);
+                _fits[count++] = second;
             }
 
             for (int i = 0; i < count; i++)
@@ -98,6 +106,14 @@ namespace LaserTracking.Hands
         {
             _tracks.Reset();
             _people.Reset();
+        }
+
+        /// <summary>Where arms cross, an arm's rear end and a weapon's bearing mislead: a weapon that was somebody's a frame ago still is.</summary>
+        private bool TryOtherHolder(in ArmFit fit, long timeUs, out int personId, out Vector3D eyeMm)
+        {
+            eyeMm = default;
+            personId = 0;
+            return fit.HasWeapon && _tracks.TryHolder(fit.MuzzleMm, timeUs, out personId) && personId != fit.PersonId && _people.TryEyesOf(personId, out eyeMm);
         }
 
         /// <summary>Measures an arm again as somebody else's, whose eyes say where else its weapon is looked for.</summary>

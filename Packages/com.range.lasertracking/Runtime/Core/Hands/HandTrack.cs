@@ -40,11 +40,13 @@ namespace LaserTracking.Hands
         public Vector3D Sight;
         public int PersonId;
 
-        /// <summary>For how many frames the arm has been taken for another person's.</summary>
-        public int Mistakes;
+        /// <summary>Frames in which the arm seemed to be that person's, less those in which it seemed another's; limited.</summary>
+        public int PersonVotes;
 
         /// <summary>Right above zero, left below; limited, so that a new body side wins in time.</summary>
         public int SideVotes;
+
+        public Vector3D PredictMuzzle(long timeUs) => Predict(timeUs) + MuzzleOffsetMm;
 
         public Vector3D Predict(long timeUs) => PalmMm + VelocityMmS * ((timeUs - TimeUs) * 1e-6);
     }

@@ -24,10 +24,16 @@ namespace LaserTracking.Hands
         private const double SteadyMm = 60;
         private const double AccelerationMmS2 = 60_000;
 
-        /// <summary>So near to where a hand goes it is that hand, whosever the arm is taken for, for so many frames; but its own person's is sooner, up to this farther off.</summary>
-        private const double SameHandMm = 40;
-        private const int MaxMistakes = 5;
+        /// <summary>So near to where a hand or its weapon goes it is that one, whosever the arm seems; but a hand of its own person's is sooner, up to this farther off.</summary>
+        private const double SameHandMm = 25;
+        private const double SameWeaponMm = 40;
         private const double MistakenMm = 50;
+
+        /// <summary>For how many frames an arm may seem another's: half a second at 30 frames/s.</summary>
+        private const int MaxPersonVotes = 15;
+
+        /// <summary>A weapon is looked for where it was at most three frames at 30 frames/s ago.</summary>
+        private const long SameWeaponUs = 110_000;
 
         private readonly DepthHandSettings _settings;
         private readonly HandTrack[] _tracks;
@@ -133,7 +139,25 @@ namespace LaserTracking.Hands
         private static bool IsAnothers(in HandTrack track, in ArmFit fit) => track.PersonId != 0 && fit.PersonId != 0 && fit.PersonId != track.PersonId;
 
         /// <summary>Where two arms lie beside each other in the picture one may be taken for the other's; not for long.</summary>
-        private static bool IsMistaken(in HandTrack track, double distanceMm) => distanceMm <= SameHandMm && track.HasVelocity && track.Mistakes < MaxMistakes;
+        private static bool IsMistaken(in HandTrack track, double distanceMm) => distanceMm <= SameHandMm && track.HasVelocity && track.PersonVotes > 0;
+
+        /// <summary>Whose the weapon was of which this is the muzzle; false where none was here, or where its owner is no longer sure.</summary>
+        public bool TryHolder(Vector3D muzzleMm, long timeUs, out int personId)
+        {
+            personId = 0;
+            double best = SameWeaponMm;
+            for (int i = 0; i < _count; i++)
+            {
+                ref readonly HandTrack track = ref _tracks[i];
+                double distance = (track.PredictMuzzle(timeUs) - muzzleMm).Length;
+                if (track.PersonVotes <= 0 || !track.HasVelocity || track.WeaponUs != track.TimeUs || timeUs - track.TimeUs > SameWeaponUs || distance > best)
+                    continue;
+                best = distance;
+                personId = track.PersonId;
+            }
+
+            return personId != 0;
+        }
 
         private void Continue(ref HandTrack track, in ArmFit fit, long timeUs, HandObservations observations)
         {
@@ -234,15 +258,10 @@ namespace LaserTracking.Hands
                 track.WeaponUs = timeUs;
             }
 
-            if (IsAnothers(track, fit))
-            {
-                track.Mistakes++;
-            }
-            else if (fit.PersonId != 0)
-            {
+            if (!IsAnothers(track, fit) && fit.PersonId != 0)
                 track.PersonId = fit.PersonId;
-                track.Mistakes = 0;
-            }
+            if (fit.SeemsId != 0)
+                track.PersonVotes = Math.Max(0, Math.Min(MaxPersonVotes, track.PersonVotes + (fit.SeemsId == track.PersonId ? 1 : -1)));
         }
 
         /// <summary>

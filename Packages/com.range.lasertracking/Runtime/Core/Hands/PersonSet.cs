@@ -289,6 +289,21 @@ namespace LaserTracking.Hands
             return id != 0;
         }
 
+        /// <summary>Where somebody's eyes are; camera space. False for who left, and whose head nobody has seen.</summary>
+        public bool TryEyesOf(int id, out Vector3D eyeMm)
+        {
+            for (int i = 0; i < _count; i++)
+            {
+                if (_people[i].Id != id || _people[i].IsHeadHidden)
+                    continue;
+                eyeMm = _upright.ToCamera(_people[i].EyeMm);
+                return true;
+            }
+
+            eyeMm = default;
+            return false;
+        }
+
         /// <summary>Whether a surface with this middle is somebody's head.</summary>
         public bool IsHead(Vector3D middleMm)
         {

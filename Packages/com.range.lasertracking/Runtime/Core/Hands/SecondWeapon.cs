@@ -43,7 +43,8 @@ namespace LaserTracking.Hands
                     Vector3D direction = WeaponTip.Direction(grid, end);
                     if (direction.LengthSquared > 0 && people.TryOwner(end, direction, person, out int owner, out Vector3D ownEye))
                         (person, eye) = (owner, ownEye);
-                    Fill(end, eye, person, upright, settings, ref fit);
+                    fit.MuzzleMm = end;
+                    GiveTo(person, eye, upright, settings, ref fit);
                     fit.WeaponDirection = direction;
                     return true;
                 }
@@ -82,14 +83,14 @@ namespace LaserTracking.Hands
             return false;
         }
 
-        private static void Fill(Vector3D end, Vector3D eye, int person, UprightFrame upright, DepthHandSettings settings, ref ArmFit fit)
+        /// <summary>All but the muzzle: as of whoever aims over it.</summary>
+        public static void GiveTo(int person, Vector3D eye, UprightFrame upright, DepthHandSettings settings, ref ArmFit fit)
         {
-            Vector3D aim = (end - eye).Normalized;
-            fit.MuzzleMm = end;
+            Vector3D aim = (fit.MuzzleMm - eye).Normalized;
             fit.HasWeapon = true;
             fit.MuzzleSigmaMm = settings.SeenMuzzleSigmaMm;
             Vector3D up = (upright.Up - aim * Vector3D.Dot(upright.Up, aim)).Normalized;
-            fit.PalmMm = fit.SurfaceMm = end - aim * settings.GripToMuzzleMm - up * settings.BoreAboveGripMm;
+            fit.PalmMm = fit.SurfaceMm = fit.MuzzleMm - aim * settings.GripToMuzzleMm - up * settings.BoreAboveGripMm;
             fit.PalmSigmaMm = 2 * settings.PalmSigmaMm;
             fit.AxisSigmaRad = settings.TwoArmsSigmaRad;
             fit.Sight = aim;

@@ -59,15 +59,15 @@ namespace LaserTracking.Hands
         public void Update_ArmTakenForAnothersForAFewFrames_NumberAndPersonStay()
         {
             int number = 0;
-            for (int i = 0; i < 3; i++)
+            for (int i = 0; i < 5; i++)
                 number = Update(i, Fit(20 * i, 1))[0].TrackId;
-            for (int i = 3; i < 8; i++)
+            for (int i = 5; i < 10; i++)
             {
                 HandObservation hand = Update(i, Fit(20 * i, 2))[0];
                 Assert.That((hand.TrackId, hand.PersonId), Is.EqualTo((number, 1)), "frame " + i);
             }
 
-            HandObservation anothers = Update(8, Fit(160, 2))[0];
+            HandObservation anothers = Update(10, Fit(200, 2))[0];
             Assert.That(anothers.PersonId, Is.EqualTo(2), "for good it is the other's");
             Assert.That(anothers.TrackId, Is.Not.EqualTo(number));
         }
@@ -90,6 +90,40 @@ namespace LaserTracking.Hands
             Assert.That(Update(4, Fit(240, 1))[0].TrackId, Is.EqualTo(number));
         }
 
+        [Test]
+        public void TryHolder_WeaponThatWasSomebodysAFrameAgo_IsTheirsForAsLongAsItHadBeen()
+        {
+            for (int i = 0; i < 4; i++)
+                Update(i, Armed(20 * i, 1, 1));
+            for (int i = 4; i < 8; i++)
+            {
+                Assert.That(_tracks.TryHolder(Armed(20 * i, 2, 2).MuzzleMm, i * FrameUs, out int holder), Is.True, "frame " + i);
+                Assert.That(holder, Is.EqualTo(1));
+                Update(i, Armed(20 * i, 1, 2));
+            }
+
+            Assert.That(_tracks.TryHolder(Armed(160, 2, 2).MuzzleMm, 8 * FrameUs, out _), Is.False);
+        }
+
+        [TestCase(60, 4, 1500)]
+        [TestCase(0, 8, 1500)]
+        [TestCase(0, 4, 1440)]
+        public void TryHolder_WeaponElsewhereOrLater_IsNobodys(double awayMm, int frame, double z)
+        {
+            for (int i = 0; i < 4; i++)
+                Update(i, Armed(20 * i, 1, 1));
+            ArmFit there = Armed(20 * frame + awayMm, 2, 2);
+            Assert.That(_tracks.TryHolder(there.MuzzleMm + new Vector3D(0, 0, z - 1500), frame * FrameUs, out _), Is.False);
+        }
+
+        private static ArmFit Armed(double x, int person, int seems)
+        {
+            ArmFit fit = Fit(x, person);
+            fit.HasWeapon = true;
+            fit.SeemsId = seems;
+            return fit;
+        }
+
         private static ArmFit Fit(double x, int person) => new ArmFit
         {
             PalmMm = new Vector3D(x, 0, 1500),
@@ -100,6 +134,7 @@ namespace LaserTracking.Hands
             Axis = new Vector3D(0, 0, -1),
             HasOneRoot = true,
             PersonId = person,
+            SeemsId = person,
         };
 
         private static int NumberOf(HandObservation[] hands, int person) => Array.Find(hands, h => h.PersonId == person).TrackId;
