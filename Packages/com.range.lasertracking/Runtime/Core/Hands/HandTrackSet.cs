@@ -32,6 +32,9 @@ namespace LaserTracking.Hands
         /// <summary>For how many frames an arm may seem another's: half a second at 30 frames/s.</summary>
         private const int MaxPersonVotes = 15;
 
+        /// <summary>With fewer its owner is not sure, and so is not which of the hands beside each other it is.</summary>
+        private const int SureVotes = 2;
+
         /// <summary>A weapon is looked for where it was at most three frames at 30 frames/s ago.</summary>
         private const long SameWeaponUs = 110_000;
 
@@ -226,6 +229,8 @@ namespace LaserTracking.Hands
         /// </summary>
         private double PalmSigmaMm(in HandTrack track, in ArmFit fit, long timeUs)
         {
+            if (fit.SeemsId != 0 && track.PersonVotes < SureVotes)
+                return Math.Max(fit.GripSigmaMm, _settings.HiddenPalmSigmaMm);
             if (fit.GripSigmaMm > 0)
                 return fit.GripSigmaMm;
             if (fit.HasWeapon)
@@ -243,6 +248,9 @@ namespace LaserTracking.Hands
 
         private static void Remember(ref HandTrack track, in ArmFit fit, long timeUs)
         {
+            // What comes back after a gap may be another's.
+            if (timeUs - track.TimeUs > SameWeaponUs)
+                track.PersonVotes = 0;
             track.PalmMm = fit.PalmMm;
             track.TimeUs = timeUs;
             track.MuzzleOffsetMm = fit.MuzzleMm - fit.PalmMm;

@@ -105,6 +105,16 @@ namespace LaserTracking.Hands
             Assert.That(_tracks.TryHolder(Armed(160, 2, 2).MuzzleMm, 8 * FrameUs, out _), Is.False);
         }
 
+        [Test]
+        public void Update_HandComesBackAfterAGap_PalmIsWithheldUntilItsPersonIsSure()
+        {
+            for (int i = 0; i < 4; i++)
+                Update(i, Armed(20 * i, 1, 1));
+            Assert.That(Update(4, Armed(80, 1, 1))[0].SigmaMm, Is.LessThan(30));
+            Assert.That(Update(9, Armed(180, 1, 1))[0].SigmaMm, Is.GreaterThanOrEqualTo(60));
+            Assert.That(Update(10, Armed(200, 1, 1))[0].SigmaMm, Is.LessThan(30));
+        }
+
         [TestCase(60, 4, 1500)]
         [TestCase(0, 8, 1500)]
         [TestCase(0, 4, 1440)]
